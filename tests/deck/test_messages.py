@@ -1,0 +1,108 @@
+"""Every error says file, line, keyword, field, value, and what is supported."""
+
+import pickle
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from vmharness.deck import Card, Deck, DeckError, Keyword, integer, only, read, real, text
+
+Read = Callable[..., Deck]
+
+MAT = Keyword(
+    "MAT_ELASTIC",
+    Card(mid=integer(above=0), ro=real(above=0.0), e=real(), pr=real(0.0, at_least=0.0), da=only(0.0)),
+    aliases=("MAT_001",),
+    options=("TITLE",),
+    unique="mid",
+)
+MAT2 = Keyword("MAT_RIGID", Card(mid=integer(above=0), ro=real(above=0.0)), unique="mid")
+SHELL = Keyword("SHELL", Card(elform=integer(2, choices=(2, 16)), label=text("A", choices=("A", "B"))))
+TABLE = Keyword(
+    "TABLE", Card(i=integer(width=8, above=0), x=real(0.0, width=16, choices=(0.0, 1.0))), table=True
+)
+CONTROL = Keyword("CONTROL", Card(x=real(0.0)), single=True)
+KNOWN = {k.name: k for k in (MAT, MAT2, SHELL, TABLE, CONTROL)} | {"MAT_001": MAT}
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ("*MAT_ELASTICK\n1\n", "2: *MAT_ELASTICK: unknown keyword; did you mean *MAT_ELASTIC?"),
+        ("*MAT_ELASTIC_TITEL\n1\n", "2: *MAT_ELASTIC_TITEL: unknown keyword; did you mean *MAT_ELASTIC_TITLE?"),
+        ("*QQQQ\n", "2: *QQQQ: unknown keyword"),
+        ("*\n", "2: unknown keyword"),
+        ("*SHELL 5\n", "2: *SHELL: unexpected text after the keyword: 5"),
+        ("*KEYWORD\n", "2: *KEYWORD: *KEYWORD may stand only once, at the beginning of a file"),
+        ("*SHELL\n\n*MAT_001\n$\n1,1.,x\n", "6: *MAT_001: E = x: not a number"),
+        ("*MAT_ELASTIC\n1.5,1.,1.\n", "3: *MAT_ELASTIC: MID = 1.5: not an integer"),
+        ("*MAT_ELASTIC\n,1.,1.\n", "3: *MAT_ELASTIC: MID = (blank): a value is required"),
+        ("*MAT_ELASTIC\n0,1.,1.\n", "3: *MAT_ELASTIC: MID = 0: must be greater than 0"),
+        ("*MAT_ELASTIC\n1,1.,1.,-1.\n", "3: *MAT_ELASTIC: PR = -1.: must be at least 0"),
+        ("*MAT_ELASTIC\n1,1.,1.,,0.5\n", "3: *MAT_ELASTIC: DA = 0.5: only 0.0 is supported"),
+        ("*MAT_ELASTIC\n1,&q,1.\n", "3: *MAT_ELASTIC: RO = &q: undefined parameter"),
+        ("*SHELL\n        17\n", "3: *SHELL: ELFORM = 17: only 2 and 16 are supported"),
+        ("*SHELL\n2,C\n", "3: *SHELL: LABEL = C: only A and B are supported"),
+        ("*SHELL\n2,ABCDEFGHIJKLMNOPQRSTU\n", "3: *SHELL: LABEL = ABCDEFGHIJKLMNOPQRSTU: more than 20 characters"),
+        ("*SHELL\n2,A,5\n", "3: *SHELL: more than the 2 items of this card"),
+        ("*SHELL\n         2         A      5\n", "3: *SHELL: text beyond the last field, which ends in column 20"),
+        ("*SHELL\n         2\n\n         3\n", "5: *SHELL: a line too many; the keyword has one line here"),
+        ("*SHELL\n", "2: *SHELL: card 1 is missing (ELFORM, LABEL)"),
+        ("*SHELL\n\t2\n", "3: *SHELL: a tab in a data line hides its columns; write blanks or commas"),
+        ("*TABLE\n", "2: *TABLE: no data"),
+        ("*TABLE\n       1\n       2             2.0\n", "4: *TABLE: X = 2.0: only 0.0 and 1.0 are supported"),
+        ("*TABLE\n       1\n      -2\n", "4: *TABLE: I = -2: must be greater than 0"),
+        ("*TABLE\n       1\n       2             1.0       9\n", "4: *TABLE: text beyond the last field"),
+        ("*TABLE\n1\n2,1e999\n", "4: *TABLE: X = 1e999: too large for double precision"),
+        ("*TABLE\n       1           1e999\n", "3: *TABLE: X = 1e999: too large for double precision"),
+        ("*TABLE+\n99999999999999999999\n", "3: *TABLE: I = 99999999999999999999: too large for an integer"),
+        ("*CONTROL\n\n*CONTROL\n\n", "4: *CONTROL: may stand only once; there is one already at deck.k:2"),
+        ("*MAT_ELASTIC\n7,1.,1.\n*MAT_RIGID\n7,1.\n", "5: *MAT_RIGID: MID = 7: defined already at deck.k:3"),
+    ],
+)  # fmt: skip
+def test_message(deck: Read, content: str, message: str) -> None:
+    with pytest.raises(DeckError) as error:
+        deck(content, known=KNOWN)
+    assert str(error.value).startswith(f"deck.k:{message}")
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ("", "deck.k:1: a deck begins with *KEYWORD; only comments may come before"),
+        ("$ only comments\n", "deck.k:1: a deck begins with *KEYWORD; only comments may come before"),
+        ("$\n*SHELL\n", "deck.k:2: *SHELL: a deck begins with *KEYWORD; only comments may come before"),
+        ("$\n  1\n*KEYWORD\n", "deck.k:2: data before the first keyword"),
+        ("*KEYWORD\n1.0\n", "deck.k:2: *KEYWORD: *KEYWORD has no data lines"),
+        ("*KEYWORD I10=Y\n", "deck.k:1: *KEYWORD: I10 = Y: only N supported"),
+        (
+            "*KEYWORD SPEED=1\n",
+            "deck.k:1: *KEYWORD: unknown option SPEED=1; supported: LONG, I10, MEMORY, NCPU",
+        ),
+    ],
+)
+def test_how_a_deck_begins(deck: Read, content: str, message: str) -> None:
+    with pytest.raises(DeckError) as error:
+        deck(content, first="", known=KNOWN)
+    assert str(error.value) == message
+
+
+def test_no_such_deck(tmp_path: Path) -> None:
+    with pytest.raises(DeckError, match=r"^none\.k: no such file$"):
+        read(tmp_path / "none.k", KNOWN)
+
+
+def test_errors_of_callers_name_the_field_and_its_line(deck: Read) -> None:
+    found = deck("*SHELL\n        16\n*TABLE\n1\n2,1.0\n", known=KNOWN)
+    shell, table = found.one("SHELL"), found.one("TABLE")
+    assert str(shell.error("elform", "only 2 here")) == "deck.k:3: *SHELL: ELFORM = 16: only 2 here"
+    assert str(shell.error(None, "not here")) == "deck.k:2: *SHELL: not here"
+    assert str(table.error("x", "too much", row=1)) == "deck.k:6: *TABLE: X = 1.0: too much"
+    with pytest.raises(AttributeError, match=r"\*SHELL has no field thickness"):
+        _ = shell.thickness
+
+
+def test_an_error_survives_a_pickle() -> None:
+    error = DeckError("wrong", "deck.k", 3, "NODE", "x", 1.0)
+    assert str(pickle.loads(pickle.dumps(error))) == str(error) == "deck.k:3: *NODE: X = 1.0: wrong"

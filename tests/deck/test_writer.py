@@ -1,0 +1,117 @@
+"""The resolved deck in long format reads back as the same deck."""
+
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vmharness.deck import Card, Deck, Rows, read, vocabulary, write_long
+from vmharness.deck.field import Field
+from vmharness.deck.keyword import Keyword
+from vmharness.deck.writer import number
+
+VOCABULARY = vocabulary("vmharness.deck.keywords")
+
+reals = st.floats(allow_nan=False, allow_infinity=False)
+
+
+@given(reals)
+def test_a_real_fits_20_columns_with_all_the_digits_that_fit(value: float) -> None:
+    text = number(value)
+    assert len(text) <= 20
+    if len(repr(value)) <= 20:
+        assert float(text) == value
+    if abs(value) >= 1e-307:  # below, doubles have fewer digits themselves
+        assert abs(float(text) - value) <= 1e-12 * abs(value)
+    if 1e-9 <= abs(value) < 1e10:
+        assert abs(float(text) - value) <= 1e-14 * abs(value)
+
+
+def item(field: Field) -> st.SearchStrategy[str]:
+    """What a comma-separated card may have for a field."""
+    if field.choices:
+        return st.sampled_from(field.choices).map(str)
+    if field.kind == "text":
+        letters = st.characters(codec="utf-8", exclude_categories=("C", "Z"), exclude_characters=",&$*")
+        return st.text(letters, max_size=10 if field.width < 70 else 60)
+    low = field.above if field.above is not None else field.at_least
+    if field.kind == "integer":
+        return st.integers(1 if low is not None else -(10**9), 10**9).map(str)
+    return reals.map(lambda value: abs(value) or 1.0 if low is not None else value).map(repr)
+
+
+def card_line(card: Card) -> st.SearchStrategy[str]:
+    if isinstance(card, Rows) and card.flat:
+        return (
+            st.lists(st.integers(1, 10**9).map(str), min_size=1, max_size=8).map(",".join).map("{},".format)
+        )
+    return st.tuples(*map(item, card.fields.values())).map(",".join)
+
+
+def card_lines(keyword: Keyword) -> st.SearchStrategy[list[str]]:
+    return st.tuples(*map(card_line, (*keyword.cards, *keyword.rows))).map(list)
+
+
+blocks = st.sampled_from(sorted(VOCABULARY)).flatmap(
+    lambda name: card_lines(VOCABULARY[name]).map(lambda lines: "\n".join([f"*{name}", *lines]))
+)
+
+
+def parse(text: str) -> Deck:
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "deck.k"
+        path.write_text(text, encoding="utf-8", newline="")
+        return read(path, VOCABULARY)
+
+
+def equal(a: Any, b: Any) -> bool:
+    if isinstance(a, np.ndarray) and a.dtype.kind == "f":
+        return bool(np.all(np.abs(a - b) <= 1e-12 * np.abs(a) + 1e-319))
+    if isinstance(a, np.ndarray):
+        return bool(np.array_equal(a, b))
+    if isinstance(a, float):
+        return abs(a - b) <= 1e-12 * abs(a) + 1e-319
+    return bool(a == b)
+
+
+@given(blocks)
+def test_any_entry_reads_back_equal(block: str) -> None:
+    deck = parse(f"*KEYWORD\n{block}\n")
+    text = write_long(deck)
+    again = parse(text)
+    (before,), (after,) = deck.entries, again.entries
+    assert before.keyword is after.keyword
+    assert before.values.keys() == after.values.keys()
+    for name, value in before.values.items():
+        assert equal(value, after.values[name]), name
+    assert write_long(again) == text  # rounding happens once
+
+
+@pytest.mark.parametrize("heading", ["$ no comment", "*NO_KEYWORD", "a, b, c", "x" * 70, ""])
+def test_headings_stay_headings(heading: str) -> None:
+    deck = parse(f"*KEYWORD\n*PART\n {heading[:69]}\n1,1,1\n*TITLE\n {heading}\n")
+    again = parse(write_long(deck))
+    assert again.one("PART").heading == heading[:69]
+    assert again.title == heading
+
+
+def test_includes_are_flat_and_parameters_are_values(tmp_path: Path) -> None:
+    (tmp_path / "nodes.k").write_text("*NODE\n       1              &a\n")
+    (tmp_path / "deck.k").write_text(
+        "*KEYWORD\n*PARAMETER\nR a,0.1\n*PARAMETER_EXPRESSION\nR third,&a/3\n*INCLUDE\nnodes.k\n"
+        "*SET_NODE_LIST_TITLE\nall\n1\n1\n*CONTROL_CONTACT\n&third\n\n\n\n"
+    )
+    text = write_long(read(tmp_path / "deck.k", VOCABULARY, {"a": 0.7}))
+    assert "PARAMETER" not in text
+    assert "INCLUDE" not in text
+    assert "&" not in text
+    assert text.splitlines()[0] == "*KEYWORD LONG=Y"
+    again = parse(text)
+    assert again.one("NODE").x.tolist() == [0.7]
+    assert again.one("SET_NODE_LIST").title == "all"
+    assert again.one("CONTROL_CONTACT").slsfac == pytest.approx(0.7 / 3, rel=1e-15)
+    assert len(text.split("*CONTROL_CONTACT\n")[1].split("*END")[0].splitlines()) == 2  # no optional card

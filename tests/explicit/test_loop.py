@@ -1,0 +1,129 @@
+"""The time loop against exact solutions of the difference equations and of the differential ones."""
+
+import math
+
+import numpy as np
+import pytest
+
+from vmharness.explicit import energy
+from vmharness.explicit.error import SolverError
+from vmharness.explicit.loop import steps
+
+BALL = "*NODE\n5,0.0,0.0,{z}\n*ELEMENT_MASS\n9,5,{mass}\n"
+CONTACT = """*SET_NODE_LIST
+2
+5
+*CONTROL_CONTACT
+{slsfac}
+
+*CONTACT_NODES_TO_SURFACE
+2,1,4,3
+
+
+"""
+
+
+def motion(model, row=4, axis=2):
+    """t, x, v_n, kinetic energy at every cycle."""
+    out = [
+        (s.t, s.x[row, axis], s.v[row, axis] + 0.5 * s.dt * s.a[row, axis], energy.kinetic(s))
+        for s in steps(model)
+    ]
+    return np.array(out).T
+
+
+def test_projectile_is_exact_at_every_step(wall_and):
+    ball = BALL.format(z=100.0, mass=2.0) + "*LOAD_BODY_Z\n1,9.81\n*INITIAL_VELOCITY_NODE\n5,3.0,0.0,7.0\n"
+    model = wall_and(ball, end=2.0)
+    t, z, v, kinetic = motion(model)
+    assert t[-1] >= 2.0
+    np.testing.assert_allclose(z, 100.0 + 7.0 * t - 9.81 * t**2 / 2, rtol=1e-12)
+    np.testing.assert_allclose(v, 7.0 - 9.81 * t, atol=1e-11)
+    np.testing.assert_allclose(kinetic, 0.5 * 2.0 * (9.0 + v**2), rtol=1e-12)
+    assert model.state.x[4, 0] == pytest.approx(3.0 * t[-1], rel=1e-12)
+
+
+def test_positive_body_load_pulls_to_the_negative_axis(wall_and):
+    for axis, name in enumerate("XYZ"):
+        model = wall_and(BALL.format(z=5.0, mass=1.0) + f"*LOAD_BODY_{name}\n1,9.81\n", end=0.1)
+        next(steps(model))
+        assert model.state.a[4, axis] == -9.81
+        assert np.count_nonzero(model.state.a[4]) == 1
+
+
+def oscillator(wall_and, density):
+    """A mass that meets the wall at t = 0: half a sine of frequency sqrt(k/m) until it leaves."""
+    mass, slsfac = 0.5, 1.0
+    model = wall_and(
+        BALL.format(z=0.0, mass=mass) + CONTACT.format(slsfac=slsfac) + "*INITIAL_VELOCITY_NODE\n5,,,-0.01\n",
+        end=1.0,
+        density=density,
+    )
+    return model, math.sqrt(math.sqrt(2.0) * slsfac / mass)
+
+
+def test_oscillator_has_the_frequency_of_central_differences(wall_and):
+    model, omega = oscillator(wall_and, density=1e-2)
+    t, z, *_ = motion(model)
+    dt = t[1]
+    numeric = 2.0 / dt * math.asin(omega * dt / 2.0)
+    amplitude = 0.01 * dt / math.sin(numeric * dt)  # z_1 = -v_0 dt
+    assert omega * dt > 0.05
+    np.testing.assert_allclose(z, -amplitude * np.sin(numeric * t), atol=1e-14)
+
+
+def test_order_of_accuracy_is_two(wall_and):
+    errors = []
+    for density in (4e-2, 1e-2, 2.5e-3):  # the step goes with the root of the density
+        model, omega = oscillator(wall_and, density)
+        t, z, *_ = motion(model)
+        errors.append(np.abs(z + 0.01 / omega * np.sin(omega * t)).max())
+    orders = np.log2(np.array(errors[:-1]) / errors[1:])
+    np.testing.assert_allclose(orders, 2.0, atol=0.1)
+
+
+def test_energy_of_an_oscillator_balances_to_second_order(wall_and):
+    # Total energy differs from the initial one by m dt^2/8 (a_n^2 - a_0^2), no more.
+    model, omega = oscillator(wall_and, density=1e-2)
+    contact = model.forces[1].energy["contact"]
+    totals = np.array([energy.kinetic(s) + contact[0] for s in steps(model)])
+    dt = model.state.dt
+    bound = 0.5 * dt**2 / 8.0 * (0.01 * omega) ** 2
+    assert np.abs(totals / totals[0] - 1.0).max() <= 1.01 * bound / totals[0]
+
+
+def test_ratio_is_one_while_nothing_has_been_put_in():
+    assert energy.ratio(total=0.0, initial=0.0, external_work=0.0) == 1.0
+    assert energy.ratio(total=3.0, initial=1.0, external_work=3.0) == 0.75
+
+
+def test_end_cycle_ends_the_run(wall_and, deck):
+    model = wall_and("", end="1.0,7")
+    assert sum(1 for _ in steps(model)) == 8
+    assert model.state.cycle == 7
+
+
+def test_divergence_is_an_error_with_time_cycle_and_node(wall_and):
+    free = "*NODE\n11,5,5,0\n12,6,5,0\n13,6,6,0\n14,5,6,0\n*ELEMENT_SHELL\n2,1,11,12,13,14\n"
+    model = wall_and(free + "*CONTROL_TIMESTEP\n0.0,3.0\n*INITIAL_VELOCITY_NODE\n11,1e-6\n", end=1e6)
+    times = []
+    with pytest.raises(SolverError, match=r"t = .*, cycle \d+: .*diverged, first seen at node 1[1-4]"):
+        times.extend(s.t for s in steps(model))
+    assert len(times) > 10
+
+
+def test_step_below_dtmin_is_an_error(wall_and):
+    # A free shell squashed in its plane: its characteristic length shrinks.
+    free = "*NODE\n11,5,5,0\n12,6,5,0\n13,6,6,0\n14,5,6,0\n*ELEMENT_SHELL\n2,1,11,12,13,14\n"
+    squash = "*INITIAL_VELOCITY_NODE\n12,-20.0\n13,-20.0\n"
+    model = wall_and(free + squash, end="10.0,0,0.9")
+    with pytest.raises(SolverError, match=r"time step has vanished: .* set by shells of part 1"):
+        list(steps(model))
+
+
+def test_nothing_that_sets_a_step_is_an_error(deck):
+    from vmharness.explicit.model import build
+
+    model = build(deck("*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*NODE\n1,0,0,0\n*ELEMENT_MASS\n1,1,1.0\n"))
+    with pytest.raises(SolverError, match="nothing that sets it"):
+        list(steps(model))

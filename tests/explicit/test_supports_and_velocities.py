@@ -1,0 +1,112 @@
+"""Supports, initial velocities, sets and curves as the cards say."""
+
+import numpy as np
+import pytest
+
+from vmharness.deck import DeckError
+from vmharness.explicit.loop import steps
+
+NODES = "*NODE\n5,0,0,1\n6,1,0,1\n7,2,0,1\n8,3,0,1\n*ELEMENT_MASS\n105,5,1.0\n106,6,1.0\n107,7,1.0\n108,8,1.0\n"
+GRAVITY = "*LOAD_BODY_X\n1,1.0\n*LOAD_BODY_Y\n1,1.0\n*LOAD_BODY_Z\n1,1.0\n"
+
+
+def moving(model):
+    """For each node from the fifth on, the axes along which a body load accelerates it."""
+    next(steps(model))
+    return ["".join(axis for axis, a in zip("xyz", row, strict=True) if a) for row in model.state.a[4:]]
+
+
+@pytest.mark.parametrize(
+    ("code", "free"),
+    [(0, "xyz"), (1, "yz"), (2, "xz"), (3, "xy"), (4, "z"), (5, "x"), (6, "y"), (7, "")],
+)
+def test_constraint_codes_of_node(wall_and, code, free):
+    text = NODES.replace("5,0,0,1\n", f"5,0,0,1,{code}\n", 1)
+    assert moving(wall_and(text + GRAVITY)) == [free, "xyz", "xyz", "xyz"]
+
+
+def test_spc_by_node_and_by_set_add_up(wall_and):
+    spc = "*BOUNDARY_SPC_NODE\n5,0,1\n5,0,0,1\n*SET_NODE_LIST\n3\n7,8\n*BOUNDARY_SPC_SET\n3,0,0,0,1\n"
+    assert moving(wall_and(NODES + spc + GRAVITY)) == ["z", "xyz", "xy", "xy"]
+
+
+def test_sets_by_range_part_and_all(wall_and):
+    for definition, held in (
+        ("*SET_NODE_LIST_GENERATE\n3\n6,7\n", [5, 6]),
+        ("*SET_NODE_GENERAL\n3\nNODE,5,8\n", [4, 7]),
+        ("*SET_NODE_GENERAL\n3\nPART,1\n", [0, 1, 2, 3]),
+        ("*SET_NODE_GENERAL\n3\nALL\n", list(range(8))),
+    ):
+        text = NODES.replace("5,0,0,1\n", "5,0,0,1,0\n") + definition + "*BOUNDARY_SPC_SET\n3,0,1,1,1\n"
+        model = wall_and(text)
+        held_rows = np.flatnonzero(model.constraints[0].fixed[:, 0])
+        assert set(held) <= set(held_rows)
+        assert set(held_rows) <= set(held) | {0, 1, 2, 3}  # the wall is fixed anyway
+
+
+def test_reaction_balances_body_force_to_round_off(wall_and):
+    model = wall_and(NODES + "*BOUNDARY_SPC_NODE\n5,0,1,1,1\n*LOAD_BODY_Z\n1,386.0\n", end=0.01)
+    for s in steps(model):
+        held = [0, 1, 2, 3, 4]
+        np.testing.assert_allclose(model.constraints[0].reaction[held, 2], 386.0 * s.mass[held], rtol=1e-15)
+
+
+def test_initial_velocities_later_and_more_special_cards_win(wall_and):
+    text = "*INITIAL_VELOCITY\n0\n1.0,2.0,3.0\n*SET_NODE_LIST\n3\n7,8\n*INITIAL_VELOCITY\n3\n4.0\n*INITIAL_VELOCITY_NODE\n8,,,5.0\n"
+    model = wall_and(NODES + text)
+    assert model.state.v[4:].tolist() == [[1, 2, 3], [1, 2, 3], [4, 0, 0], [0, 0, 5]]
+    assert not model.state.v[:4].any()  # a support overrules
+
+
+def test_exempted_nodes_of_initial_velocity(wall_and):
+    text = "*SET_NODE_LIST\n3\n7,8\n*INITIAL_VELOCITY\n0,3\n1.0\n-1.0\n"
+    assert wall_and(NODES + text).state.v[4:, 0].tolist() == [1, 1, -1, -1]
+
+
+def test_a_free_node_without_mass_is_named(wall_and):
+    with pytest.raises(DeckError, match=r"\*NODE: NID = 6: a free node without mass; give it mass"):
+        wall_and(NODES.replace("106,6,1.0\n", ""))
+    with pytest.raises(DeckError, match=r"NID = 6: a free node without mass \(2 such nodes\)"):
+        wall_and(NODES.replace("106,6,1.0\n107,7,1.0\n", ""))
+
+
+def test_a_load_curve_scales_in_time_and_must_span_the_run(wall_and):
+    ramp = "*DEFINE_CURVE\n2\n0.0,0.0\n2.0,4.0\n"
+    model = wall_and(NODES + ramp + "*LOAD_BODY_Z\n2,3.0\n", end=1.0)
+    for s in steps(model):
+        assert s.a[4, 2] == pytest.approx(-3.0 * 2.0 * s.t, abs=1e-12)
+    with pytest.raises(DeckError, match=r"\*LOAD_BODY_Z: LCID = 2: the curve spans 0 to 2, but the run 0 to 3"):
+        wall_and(NODES + ramp + "*LOAD_BODY_Z\n2\n", end=3.0)
+
+
+def test_work_of_a_ramped_load_is_the_kinetic_energy_it_gives(wall_and):
+    from vmharness.explicit import energy
+
+    ramp = "*DEFINE_CURVE\n2\n0.0,0.0\n2.0,4.0\n"
+    model = wall_and(NODES + ramp + "*LOAD_BODY_Z\n2,3.0\n", end=1.0)
+    (work,) = energy.accounts(model.forces, "external work")
+    for s in steps(model):
+        a = float(np.abs(s.a[4:]).max())
+        assert work[0] == pytest.approx(energy.kinetic(s), abs=4 * s.dt**2 / 8 * a**2 * 1.01 + 1e-15)
+
+
+@pytest.mark.parametrize(
+    ("keywords", "message"),
+    [
+        ("*BOUNDARY_SPC_NODE\n99,0,1\n", r"\*BOUNDARY_SPC_NODE: NID = 99: no \*NODE 99"),
+        ("*BOUNDARY_SPC_SET\n9,0,1\n", r"\*BOUNDARY_SPC_SET: NSID = 9: no .* with SID = 9; defined: none"),
+        ("*BOUNDARY_SPC_NODE\n5,0,2\n", r"DOFX = 2: only 0 and 1 are supported"),
+        ("*ELEMENT_MASS\n1,77,1.0\n", r"\*ELEMENT_MASS: NID = 77: no \*NODE 77"),
+        ("*PART\np\n9,8,1\n*ELEMENT_SHELL\n9,9,5,6,7,8\n", r"\*PART: SECID = 8: no \*SECTION_SHELL with SECID = 8"),
+        ("*PART\np\n9,1,8\n*ELEMENT_SHELL\n9,9,5,6,7,8\n", r"\*PART: MID = 8: no .*MAT_.* with MID = 8; defined: 1"),
+        ("*ELEMENT_SHELL\n9,9,5,6,7,8\n", r"\*ELEMENT_SHELL: PID = .*9.*: no \*PART with PID = 9"),
+        ("*ELEMENT_SHELL\n9,1,5,6,7,7\n", r"\*ELEMENT_SHELL: N4 = 7: a triangle; only quadrilaterals"),
+        (
+            "*SECTION_SHELL\n3,16\n0.1\n*PART\np\n9,3,1\n*ELEMENT_SHELL\n9,9,5,6,7,8\n",
+            r"\*SECTION_SHELL: ELFORM = 16: not implemented; supported: 2 \(Belytschko-Tsay\)",
+        ),
+    ],
+)
+def test_what_is_wrong_is_said_with_card_field_and_value(wall_and, keywords, message):
+    with pytest.raises(DeckError, match=message):
+        wall_and(NODES + keywords)

@@ -1,0 +1,134 @@
+"""The built-in explicit finite-element code."""
+
+import time
+from array import array
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from vmharness import __version__
+from vmharness.case import Case
+from vmharness.case.format import Channel
+from vmharness.deck import Deck, DeckError, read, vocabulary, write_long
+from vmharness.explicit import probe
+from vmharness.explicit.constraints.spc import Supports
+from vmharness.explicit.contacts.nodes_to_surface import NodesToSurface
+from vmharness.explicit.elements.mass import ELEMENT_MASS
+from vmharness.explicit.error import SolverError
+from vmharness.explicit.loads.body import BodyLoad
+from vmharness.explicit.loop import steps
+from vmharness.explicit.model import PARTS, Model, build
+from vmharness.explicit.parts import shell_parts
+from vmharness.explicit.probe import Probe, ProbeError
+from vmharness.history import History
+from vmharness.result import Solution, View
+
+SOLVER = f"vmharness {__version__}"
+FOLDERS = (
+    "vmharness.deck.keywords",
+    "vmharness.explicit.materials",
+    *(f"vmharness.explicit.{p}" for p in PARTS),
+)
+PROGRESS_EVERY = 1000  # cycles
+
+
+def read_deck(case: Case) -> Deck:
+    """The case's deck, with its parameters replaced where the data were changed."""
+    return read(case.deck_path, vocabulary(*FOLDERS), parameters=case.deck_parameters())
+
+
+def solve(case: Case, progress: Callable[[float], None] | None = None) -> Solution:
+    """Run the deck and record the case's channels every cycle."""
+    began = time.perf_counter()
+    try:
+        deck = read_deck(case)
+        model = build(deck)
+        probes = {name: _probe(model, channel) for name, channel in case.file.channels.items()}
+    except (DeckError, ProbeError) as error:
+        return Solution(SOLVER, None, str(error))
+    view = _view(deck, model)  # before the nodes move
+    history, failure, seconds = record(model, probes, progress)
+    return Solution(
+        solver=SOLVER,
+        history=history,
+        failure=failure,
+        facts=_facts(model, history),
+        cycles=model.state.cycle,
+        seconds=time.perf_counter() - began,
+        seconds_loop=seconds,
+        notes=tuple(deck.notes),
+        view=view,
+        resolved_deck=write_long(deck) if case.deck_parameters() else "",
+    )
+
+
+def record(
+    model: Model, probes: Mapping[str, Probe], progress: Callable[[float], None] | None = None
+) -> tuple[History, str, float]:
+    """Step the model to its end and keep what the probes show at every t_n.
+
+    Returns the history so far, why it ended early if it did, and the seconds that the loop took.
+    """
+    times = array("d")
+    columns = {name: array("d") for name in probes}
+    take = [(column.append, probes[name]) for name, column in columns.items()]
+    failure = ""
+    began = time.perf_counter()
+    try:
+        for state in steps(model):
+            times.append(state.t)
+            for append, value in take:
+                append(value())
+            if progress is not None and state.cycle % PROGRESS_EVERY == 0:
+                progress(state.t / model.end_time)
+    except SolverError as error:
+        failure = str(error)
+    seconds = time.perf_counter() - began
+    return (
+        History(np.array(times), {name: np.array(column) for name, column in columns.items()}),
+        failure,
+        seconds,
+    )
+
+
+def _probe(model: Model, channel: Channel) -> Probe:
+    if channel.energy is not None:
+        return probe.energies(model, channel.energy)
+    component = channel.component or ""
+    if channel.node is not None:
+        return probe.node(model, channel.node, component)
+    if channel.contact is not None:
+        return probe.contact(model, channel.contact, component)
+    return probe.support(model, component)
+
+
+def _facts(model: Model, history: History) -> dict[str, str]:
+    steps_taken = np.diff(history.time)
+    facts = {"Nodes": str(model.ids.size), "Cycles": str(model.state.cycle)}
+    if steps_taken.size:
+        facts["Time step"] = f"{steps_taken.min():.6g} to {steps_taken.max():.6g}, {model.controlling()}"
+    return facts
+
+
+def _view(deck: Deck, model: Model) -> View:
+    shells = [part.nodes for part in shell_parts(deck, model)]
+    masses = [model.rows[int(nid)] for table in deck.all(ELEMENT_MASS) for nid in table.nid]
+    fixed = np.zeros(model.ids.size, bool)
+    for constraint in model.constraints:
+        if isinstance(constraint, Supports):
+            fixed |= constraint.fixed.any(axis=1)
+    gravity = np.zeros(3)
+    for force in model.forces:
+        if isinstance(force, BodyLoad):
+            gravity[force.axis] += force.acceleration
+    return View(
+        ids=model.ids,
+        x=model.x0,
+        shells=np.concatenate(shells) if shells else np.zeros((0, 4), np.intp),
+        masses=np.array(masses, np.intp),
+        supports=np.flatnonzero(fixed),
+        gravity=gravity,
+        contacts=tuple(
+            (force.tracked, force.segments) for force in model.forces if isinstance(force, NodesToSurface)
+        ),
+    )

@@ -1,0 +1,111 @@
+"""A case: its file, and the numbers that follow from its data."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vmharness.case.error import CaseError
+from vmharness.case.format import CaseFile, Result
+from vmharness.formula import Dimension, Formula, FormulaError, UnitSystem
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Case:
+    """A verification case with one set of data; all numbers are in its consistent units.
+
+    The theory uses the data of the case alone, never the deck's: a wrong deck must fail.
+    """
+
+    id: str
+    folder: Path
+    file: CaseFile
+    units: UnitSystem
+    given: Mapping[str, float]
+    formulas: Mapping[str, Formula]  # by name: theory, curves as "curve z", targets as "target z_peak", ...
+    dimensions: Mapping[str, Dimension]  # of data and theory
+    theory: Mapping[str, float]
+    changed: frozenset[str] = frozenset()  # data that are not those of the file
+    planted: Mapping[str, float] = field(default_factory=dict)  # parameters of a deck that is wrong on purpose
+
+    @property
+    def values(self) -> dict[str, float]:
+        """Data and theory together, by name."""
+        return {**self.given, **self.theory}
+
+    @property
+    def deck_path(self) -> Path:
+        """The deck as it lies in the folder."""
+        return self.folder / self.file.deck.file
+
+    def result(self, key: str) -> Result:
+        """The declared result `key`."""
+        return next(result for result in self.file.results if result.key == key)
+
+    def target(self, key: str) -> float:
+        """What theory predicts for the result `key`."""
+        return self.evaluate(f"target {key}")
+
+    def curve(self, name: str, t: Array) -> Array:
+        """Theory of the channel `name` at the times `t` (m,)."""
+        values = self.formulas[f"curve {name}"].evaluate({**self.values, "t": t})
+        return np.broadcast_to(np.asarray(values, float), t.shape)
+
+    def evaluate(self, name: str) -> float:
+        """The value of the formula `name`; raises CaseError where it has none for these data."""
+        try:
+            return float(self.formulas[name].evaluate(self.values))
+        except FormulaError as error:
+            raise CaseError(f"{self.id}: {name}: {error}") from None
+
+    def with_given(self, changes: Mapping[str, float]) -> "Case":
+        """The same case with other data: the theory is evaluated anew, and the deck's parameters follow."""
+        for name in changes:
+            if name not in self.given:
+                raise CaseError(f"{self.id}: no given datum {name}; there are: {', '.join(self.given)}")
+            if not self._moves_deck(name):
+                raise CaseError(f"{self.id}: {name} cannot be set: no parameter of the deck depends on it")
+        given = {**self.given, **changes}
+        theory = evaluate_theory(self.id, self.file, given, self.formulas)
+        changed = self.changed | {name for name in changes if changes[name] != self.given[name]}
+        return replace(self, given=given, theory=theory, changed=changed)
+
+    def deck_parameters(self) -> dict[str, float]:
+        """The deck's parameters that follow from changed data; none while the data are those of the file."""
+        follow = {
+            name: self.evaluate(f"parameter {name}")
+            for name in self.file.deck.parameters
+            if self._origins(f"parameter {name}") & self.changed
+        }
+        return {**follow, **self.planted}
+
+    def with_deck_of(self, changes: Mapping[str, float]) -> "Case":
+        """The same case, its theory untouched, with the deck that other data would have: wrong on purpose."""
+        return replace(self, planted=self.with_given(changes).deck_parameters())
+
+    def _moves_deck(self, datum: str) -> bool:
+        return any(datum in self._origins(f"parameter {name}") for name in self.file.deck.parameters)
+
+    def _origins(self, formula: str) -> frozenset[str]:
+        """The given data on which a formula depends, through all the theory between."""
+        origins: frozenset[str] = frozenset()
+        for name in self.formulas[formula].names:
+            origins |= {name} if name in self.given else self._origins(name)
+        return origins
+
+
+def evaluate_theory(
+    case: str, file: CaseFile, given: Mapping[str, float], formulas: Mapping[str, Formula]
+) -> dict[str, float]:
+    """Evaluate the lines of the theory in their order; raises CaseError naming the line that has no value."""
+    theory: dict[str, float] = {}
+    for name in file.theory:
+        try:
+            theory[name] = float(formulas[name].evaluate({**given, **theory}))
+        except FormulaError as error:
+            raise CaseError(f"{case}: [theory] {name}: {error}") from None
+    return theory

@@ -1,0 +1,181 @@
+"""case.toml checked entry by entry against what stands before it; formulas and dimensions are kept on the way."""
+
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from vmharness.case.change import CHANGE, HOW
+from vmharness.case.decode import FILE
+from vmharness.case.error import CaseError
+from vmharness.case.format import CaseFile, Event, as_line
+from vmharness.case.near import near
+from vmharness.formula import Dimension, Formula, FormulaError, Unit, UnitError, UnitSystem
+
+NUMBER = r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?"
+
+
+class Checks:
+    """Everything in the file is checked against what stands before it; collects formulas and dimensions on the way."""
+
+    def __init__(self, folder: Path, file: CaseFile, units: UnitSystem) -> None:
+        self.folder, self.file, self.units = folder, file, units
+        self.values: dict[str, float] = {}
+        self.formulas: dict[str, Formula] = {}
+        self.dimensions: dict[str, Dimension] = {}
+        self.keys: list[str] = []
+
+    def all(self) -> None:
+        """Raise CaseError for the first thing that is wrong."""
+        self.given()
+        self.theory()
+        self.channels()
+        self.events()
+        self.results()
+        self.curves()
+        self.files()
+        self.budget()
+        self.published()
+        self.faults()
+
+    def wrong(self, place: str, what: object) -> CaseError:
+        return CaseError(f"{self.folder.name}/{FILE}: {place}: {what}")
+
+    def unit(self, place: str, text: str, dimension: Dimension | None = None) -> Unit:
+        try:
+            unit = Unit(text)
+        except UnitError as error:
+            raise self.wrong(place, error) from None
+        if dimension is not None and unit.dimension != dimension:
+            is_ = self.units.name(dimension) or "a plain number"
+            raise self.wrong(place, f"unit {text or 'none'} does not fit: the formula is in {is_}")
+        return unit
+
+    def formula(
+        self, place: str, name: str, text: str, extra: Mapping[str, Dimension] | None = None
+    ) -> Dimension:
+        """Parse a formula, check its units, keep it as `name`."""
+        known = {**self.dimensions, **(extra or {})}
+        try:
+            formula = Formula(text)
+            for free in sorted(formula.names - known.keys()):
+                raise self.wrong(place, f"{free} is not defined here{near(free, known)}")
+            dimension = formula.dimension(known)
+        except FormulaError as error:
+            raise self.wrong(place, error) from None
+        self.formulas[name] = formula
+        return dimension
+
+    def known(self, place: str, name: str, table: Iterable[str], what: str) -> None:
+        if name not in table:
+            raise self.wrong(place, f"no {what} {name}{near(name, table)}")
+
+    def given(self) -> None:
+        for name, given in self.file.given.items():
+            self._define(f"[given] {name}", name)
+            unit = self.unit(f"[given] {name}", given.unit)
+            self.values[name] = given.value * self.units.factor(unit)
+            self.dimensions[name] = unit.dimension
+
+    def theory(self) -> None:
+        for name, line in self.file.theory.items():
+            place = f"[theory] {name}"
+            self._define(place, name)
+            dimension = self.formula(place, name, as_line(line).formula)
+            if (unit := as_line(line).unit) is not None:
+                self.unit(place, unit, dimension)
+            self.dimensions[name] = dimension
+
+    def _define(self, place: str, name: str) -> None:
+        if name in self.dimensions:
+            raise self.wrong(place, "defined twice")
+        if name == "t":
+            raise self.wrong(place, "t is the time of curves; choose another name")
+
+    def channels(self) -> None:
+        for name, channel in self.file.channels.items():
+            place = f"[channels] {name}"
+            if name == "time":
+                raise self.wrong(place, "time is always there; choose another name")
+            of = [
+                key for key in ("node", "contact", "support", "energy") if getattr(channel, key) is not None
+            ]
+            if len(of) != 1:
+                raise self.wrong(place, "needs just one of node, contact, support, energy")
+            if (channel.component is None) != (of == ["energy"]):
+                raise self.wrong(place, "needs a component, such as z-displacement, unless it is an energy")
+
+    def events(self) -> None:
+        for name, event in self.file.events.items():
+            self._event(f"[events] {name}", name, event)
+
+    def _event(self, place: str, name: str, event: Event) -> None:
+        kinds = [
+            kind for kind in ("onset_of", "crossing_of", "minimum_of", "maximum_of") if getattr(event, kind)
+        ]
+        if len(kinds) != 1:
+            raise self.wrong(place, "needs just one of onset_of, crossing_of, minimum_of, maximum_of")
+        self.known(place, getattr(event, kinds[0]), self.file.channels, "channel")
+        crossing = kinds == ["crossing_of"]
+        if crossing != (event.level is not None) or crossing != (event.direction is not None):
+            raise self.wrong(place, "level and direction go with crossing_of, and with nothing else")
+        if event.level is not None:
+            self.formula(place, f"level {name}", event.level)
+        if event.pick > event.times:
+            raise self.wrong(place, f"pick = {event.pick}, but it happens {event.times} times only")
+
+    def results(self) -> None:
+        for number, result in enumerate(self.file.results, 1):
+            place = f"[results] {number}"
+            if result.key in self.keys:
+                raise self.wrong(place, f"key {result.key} is there twice")
+            self.keys.append(result.key)
+            self.known(place, result.event, self.file.events, "event")
+            self.known(place, result.channel, ["time", *self.file.channels], "channel")
+            dimension = self.formula(f"{place}: target", f"target {result.key}", result.target)
+            self.unit(place, result.unit, dimension)
+            if result.tolerance.relative == result.tolerance.absolute == 0.0:
+                raise self.wrong(place, "the tolerance allows nothing: give relative or absolute")
+
+    def curves(self) -> None:
+        time = Unit(self.file.units.time).dimension
+        for name, curve in self.file.curves.items():
+            line, place = as_line(curve), f"[curves] {name}"
+            self.known(place, name, self.file.channels, "channel")
+            dimension = self.formula(place, f"curve {name}", line.formula, {"t": time})
+            if line.unit is not None:
+                self.unit(place, line.unit, dimension)
+        for name, text in self.file.deck.parameters.items():
+            self.formula(f"[deck.parameters] {name}", f"parameter {name}", text)
+
+    def files(self) -> None:
+        figure = [self.file.figure] if self.file.figure else []
+        for name in [self.file.deck.file, *figure, *self.file.files]:
+            if not (self.folder / name).resolve().is_relative_to(self.folder.resolve()):
+                raise self.wrong(name, "lies outside the case's folder")
+            if not (self.folder / name).is_file():
+                raise self.wrong(name, "there is no such file in the case's folder")
+
+    def budget(self) -> None:
+        for number, line in enumerate(self.file.budget, 1):
+            for key, value in line.relative.items():
+                place = f"[budget] {number}: {key}"
+                self.known(place, key, self.keys, "result")
+                self.unit(place, "", self.formula(place, f"budget {number} {key}", str(value)))
+
+    def published(self) -> None:
+        for number, column in enumerate(self.file.published, 1):
+            for key in [*column.values, *column.errors_percent, *column.exactly_at]:
+                self.known(f"[published] {number}", key, self.keys, "result")
+            for key, text in column.values.items():
+                if not re.fullmatch(NUMBER, text):
+                    raise self.wrong(f"[published] {number}", f"{key} = {text!r} is not a number")
+
+    def faults(self) -> None:
+        for number, fault in enumerate(self.file.faults, 1):
+            place = f"[faults] {number}"
+            for name, change in fault.change.items():
+                self.known(place, name, self.file.given, "given datum")
+                if not re.fullmatch(CHANGE, change):
+                    raise self.wrong(place, f'{name} = "{change}": {HOW}')
+            for key in fault.must_fail:
+                self.known(place, key, self.keys, "result")

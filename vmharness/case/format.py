@@ -1,0 +1,173 @@
+"""The format of case.toml: its tables as types, from which it is checked and its JSON schema is made."""
+
+from typing import Annotated, Literal
+
+from msgspec import Meta, Struct
+
+Text = Annotated[str, Meta(min_length=1)]
+Name = Annotated[str, Meta(pattern="^[A-Za-z][A-Za-z0-9_]*$")]
+Formula = Annotated[
+    str, Meta(min_length=1, description="A formula over the given data and the theory above it")
+]
+Positive = Annotated[float, Meta(gt=0)]
+NotNegative = Annotated[float, Meta(ge=0)]
+Count = Annotated[int, Meta(ge=1)]
+
+
+class Table(Struct, forbid_unknown_fields=True, frozen=True):
+    """A table of the file; keys that it does not have are refused."""
+
+
+class Units(Table, frozen=True):
+    """One consistent system: every number of the deck is in it."""
+
+    length: Text
+    time: Text
+    force: Text | None = None
+    mass: Text | None = None
+
+
+class Given(Table, frozen=True):
+    """A datum of the problem, independent of the deck."""
+
+    value: float
+    unit: str
+    text: Text
+    group: Annotated[
+        str, Meta(description="Column of the data table: Material, Geometric, Loading, Model")
+    ] = "Given"
+
+
+class Line(Table, frozen=True):
+    """A line of the theory."""
+
+    formula: Formula
+    text: Annotated[str, Meta(description="What it is, in words")] = ""
+    unit: Annotated[
+        str | None, Meta(description="Unit to print it in; it must be of the formula's dimension")
+    ] = None
+
+
+class Channel(Table, frozen=True):
+    """A quantity over time to record, in any solver: of one node, contact, support or energy."""
+
+    text: Text
+    node: int | None = None
+    contact: Annotated[int | None, Meta(description="Number of the contact in the deck's order")] = None
+    support: Annotated[Literal["all"] | None, Meta(description="Reactions of all supports together")] = None
+    energy: Annotated[str | None, Meta(description="kinetic, contact, external work, total, ratio, ...")] = (
+        None
+    )
+    component: Annotated[str | None, Meta(description="z-displacement, z-velocity, z-force, ...")] = None
+
+
+class Event(Table, frozen=True):
+    """An instant of interest, found between samples; just one of the `..._of` keys names its channel."""
+
+    title: Text
+    onset_of: Name | None = None
+    crossing_of: Name | None = None
+    minimum_of: Name | None = None
+    maximum_of: Name | None = None
+    level: Annotated[Formula | None, Meta(description="Level of a crossing")] = None
+    direction: Literal["up", "down"] | None = None
+    times: Annotated[Count, Meta(description="How often it happens in the run; any other number fails")] = 1
+    pick: Annotated[Count, Meta(description="Which of them is meant")] = 1
+
+
+class Tolerance(Table, frozen=True):
+    """|value - target| <= absolute + relative |target|, and why that is right."""
+
+    because: Text
+    relative: NotNegative = 0.0
+    absolute: NotNegative = 0.0
+
+
+class Result(Table, frozen=True):
+    """A row of the manual's table: what is measured at an event, and what theory says."""
+
+    key: Name
+    label: Text
+    event: Name
+    channel: Annotated[Name, Meta(description="A channel, or `time` for the time of the event")]
+    target: Formula
+    unit: str
+    tolerance: Tolerance
+
+
+class Budget(Table, frozen=True):
+    """A line of the error budget: how far one cause can move the results, as fractions of their targets."""
+
+    source: Text
+    because: Text
+    relative: dict[Name, Annotated[float | Formula, Meta(description="By key of the result")]]
+
+
+class Published(Table, frozen=True):
+    """A column of values printed elsewhere, shown beside ours and never gated on."""
+
+    name: Text
+    source: Text
+    kind: Annotated[
+        Literal["target", "computed"], Meta(description="What theory gave, or what a solver gave")
+    ]
+    values: Annotated[dict[Name, Text], Meta(description="By key of the result, with the digits as printed")]
+    errors_percent: dict[Name, float] = {}
+    interval: Annotated[
+        Positive | None, Meta(description="Spacing of the states from which the column seems to be read")
+    ] = None
+    exactly_at: Annotated[
+        dict[Name, float], Meta(description="Results that fit a reading at exactly this time instead, by key")
+    ] = {}
+    remark: str = ""
+
+
+class Fault(Table, frozen=True):
+    """A change of the deck alone that must fail the case: it shows that a pass means something."""
+
+    text: Text
+    change: Annotated[dict[Name, str], Meta(description='By given datum: "+1 %", "-0.1 %", or "=2.0"')]
+    must_fail: Annotated[list[Name], Meta(min_length=1)]
+
+
+class Deck(Table, frozen=True):
+    """The deck, and how the given data set its parameters."""
+
+    file: Text = "deck.k"
+    parameters: Annotated[
+        dict[Name, Formula], Meta(description="*PARAMETER of the deck, as a formula over data and theory")
+    ] = {}
+
+
+class CaseFile(Table, frozen=True):
+    """A verification case: data, theory, what to measure, targets, tolerances, faults."""
+
+    title: Text
+    reference: Text
+    units: Units
+    given: dict[Name, Given]
+    theory: dict[Name, Formula | Line]
+    channels: Annotated[dict[Name, Channel], Meta(min_length=1)]
+    events: Annotated[dict[Name, Event], Meta(min_length=1)]
+    results: Annotated[list[Result], Meta(min_length=1)]
+    faults: Annotated[list[Fault], Meta(min_length=1)]
+    deck: Deck = Deck()
+    curves: Annotated[
+        dict[Name, Formula | Line], Meta(description="Theory over time `t`, by the channel that it predicts")
+    ] = {}
+    also: Annotated[str, Meta(description="Where else the problem is published")] = ""
+    analysis: list[Text] = []
+    elements: list[Text] = []
+    tags: list[Text] = []
+    kind: Annotated[
+        Literal["analytic", "semi-analytic", "other code", "published"], Meta(description="Of the targets")
+    ] = "analytic"
+    budget: list[Budget] = []
+    published: list[Published] = []
+    figure: Annotated[Text | None, Meta(description="A drawing of the problem, SVG")] = None
+    files: Annotated[list[Text], Meta(description="Further input files to offer beside the deck")] = []
+
+
+def as_line(line: str | Line) -> Line:
+    """A line of theory written as a bare formula, in full."""
+    return line if isinstance(line, Line) else Line(formula=line)

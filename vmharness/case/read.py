@@ -1,0 +1,36 @@
+"""Read a case folder, and check everything that can be checked without running it."""
+
+from pathlib import Path
+
+from msgspec.structs import asdict
+
+from vmharness.case.case import Case, evaluate_theory
+from vmharness.case.check import Checks
+from vmharness.case.decode import FILE, decode
+from vmharness.case.error import CaseError
+from vmharness.formula import UnitError, UnitSystem
+
+
+def read(folder: Path) -> Case:
+    """The case in `folder`; raises CaseError that names the file, the table and the entry that is wrong."""
+    file = decode(folder / FILE)
+    try:
+        units = UnitSystem(**{name: value for name, value in asdict(file.units).items() if value})
+    except (UnitError, TypeError, ValueError) as error:
+        raise CaseError(f"{folder.name}/{FILE}: [units]: {error}") from None
+    checked = Checks(folder, file, units)
+    checked.all()
+    theory = evaluate_theory(folder.name, file, checked.values, checked.formulas)
+    case = Case(
+        id=folder.name,
+        folder=folder,
+        file=file,
+        units=units,
+        given=checked.values,
+        formulas=checked.formulas,
+        dimensions=checked.dimensions,
+        theory=theory,
+    )
+    for result in file.results:
+        case.target(result.key)
+    return case

@@ -1,0 +1,1 @@
+"""The commands of `vm`, one a file; the folder is the list."""

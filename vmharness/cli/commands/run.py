@@ -1,0 +1,78 @@
+"""`vm run`: solve, compare, report, gate."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import click
+
+from vmharness.cli import options
+from vmharness.cli.again import again
+from vmharness.cli.pipeline import Wanted, run_cases, write_files
+from vmharness.cli.say import complain, say
+from vmharness.cli.selection import selected, selecting
+from vmharness.cli.summary import summarise
+from vmharness.suite import last_run
+from vmharness.suite.outcome import NOTHING_SELECTED, Outcome, Status, exit_code
+from vmharness.suite.select import Entry
+
+REPORTS, RUNS = Path("reports"), Path("runs")
+
+
+@click.command("run")
+@selecting
+@options.running
+@click.option("--lf", is_flag=True, help="Only cases that did not pass, or were not reached, when last run.")
+@click.option("--out", type=options.FOLDER, metavar="DIR", help="Folder of the reports.  [default: reports]")
+@click.option("--no-report", is_flag=True, help="Judge only.")
+@options.formats
+@click.pass_context
+def command(
+    ctx: click.Context,
+    selectors: tuple[str, ...],
+    cases: Path | None,
+    words: str,
+    tags: tuple[str, ...],
+    jobs: int,
+    solver: str,
+    data: dict[str, float],
+    timeout: float,
+    lf: bool,
+    out: Path | None,
+    no_report: bool,
+) -> int:
+    """Run cases through a solver, compare with theory, write the manual, pass or fail.
+
+    SELECT is an id, a pattern such as 'VM-0*', or the path of a case folder; without any, all cases are run.
+    """
+    found, unknown = selected(selectors, cases, words, tags)
+    if lf:
+        pending = last_run.not_passed(out or REPORTS)
+        found = [case for case in found if case.id in pending]
+    if not found:
+        complain("nothing selected")
+        return NOTHING_SELECTED
+    narrowed = bool(selectors or words or tags or lf or data)
+    wanted = Wanted(
+        solver=solver,
+        data=data,
+        jobs=jobs,
+        timeout=timeout,
+        root=out or (RUNS if data else REPORTS),
+        report=not no_report,
+        index=not (narrowed or no_report),
+        files=options.files(ctx),
+    )
+    outcomes = [Outcome(selector, Status.BROKEN, problem) for selector, problem in unknown.items()]
+    outcomes += run_cases(found, wanted)
+    outcomes += write_files(outcomes, wanted)
+    summarise(outcomes, again(found, ctx.params), ctx.find_root().params["debug"])
+    _say_where(found, wanted)
+    return exit_code(outcome.status for outcome in outcomes)
+
+
+def _say_where(found: Sequence[Entry], wanted: Wanted) -> None:
+    """Which file to open."""
+    folder = wanted.root / wanted.name(found[0].id) if len(found) == 1 else wanted.root
+    if wanted.report and folder.is_dir():
+        page = folder / "index.html"
+        say(f"report: {page if page.is_file() else folder}")

@@ -1,0 +1,111 @@
+"""`vm show`: a case on one screen, its theory with numbers."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vmharness.cli.read import read_cases
+from vmharness.cli.say import complain, plain_table, say, say_table
+from vmharness.cli.selection import CASES, selected
+from vmharness.suite.outcome import EXIT_CODES, NOTHING_SELECTED, Status
+
+if TYPE_CHECKING:
+    from vmharness.case import Case
+
+
+@click.command("show")
+@click.argument("selector", metavar="ID")
+@CASES
+def command(selector: str, cases: Path | None) -> int:
+    """Show a case: data, theory with values, deck, results with tolerances, faults.
+
+    ID is an id, or the path of a case folder.
+    """
+    found, _ = selected((selector,), cases, "", ())
+    if not found:
+        complain("nothing selected")
+        return NOTHING_SELECTED
+    sound, broken = read_cases(found, {})
+    for outcome in broken:
+        complain(outcome.reason)
+    for case in sound:
+        for part in (_head, _given, _theory, _results, _faults, _deck):
+            part(case)
+    return EXIT_CODES[Status.BROKEN] if broken else 0
+
+
+def _head(case: "Case") -> None:
+    say(f"\n{case.id}: {case.file.title}\n{case.file.reference}")
+
+
+def _given(case: "Case") -> None:
+    table = plain_table("Given", "Value", "Unit", "")
+    for name, given in case.file.given.items():
+        table.add_row(name, f"{given.value:.7g}", given.unit, given.text)
+    say_table(table)
+
+
+def _theory(case: "Case") -> None:
+    from vmharness.case.format import Line
+    from vmharness.formula import Unit
+
+    table = plain_table("Theory", "Value", "Unit", "Formula", "")
+    for name, line in case.file.theory.items():
+        line = line if isinstance(line, Line) else Line(formula=line)
+        unit = line.unit or case.units.name(case.dimensions[name])
+        value = case.theory[name] / case.units.factor(Unit(unit))
+        table.add_row(name, f"{value:.7g}", unit, line.formula, line.text)
+    say_table(table)
+
+
+def _results(case: "Case") -> None:
+    from vmharness.evidence.tolerance import allowed, budget
+    from vmharness.formula import Unit
+
+    table = plain_table("Result", "Target", "Unit", "Tolerance (%)", "Budget (%)", "Event", "Channel")
+    for result in case.file.results:
+        target = case.target(result.key) / case.units.factor(Unit(result.unit))
+        expected = budget(case, result.key)
+        table.add_row(
+            result.key,
+            f"{target:.7g}",
+            result.unit,
+            f"{100.0 * allowed(case, result.key):.3g}",
+            "–" if expected is None else f"{100.0 * expected:.3g}",
+            case.file.events[result.event].title,
+            result.channel,
+        )
+    say_table(table)
+
+
+def _faults(case: "Case") -> None:
+    table = plain_table("Planted fault", "Change", "Must fail")
+    for fault in case.file.faults:
+        change = ", ".join(f"{name} {by}" for name, by in fault.change.items())
+        table.add_row(fault.text, change, ", ".join(fault.must_fail))
+    say_table(table)
+
+
+def _deck(case: "Case") -> None:
+    from collections import Counter
+
+    from vmharness.backends.builtin import read_deck
+    from vmharness.deck import DeckError
+
+    try:
+        deck = read_deck(case)
+    except DeckError as error:
+        say(f"deck: {error}")
+        return
+    rows: Counter[str] = Counter()
+    for entry in deck.entries:
+        if "nid" in entry.values or "eid" in entry.values:
+            rows[entry.keyword.name] += len(entry.values.get("eid", entry.values.get("nid")))
+    keywords = Counter(entry.keyword.name for entry in deck.entries)
+    say(f"{case.deck_path.name}: {deck.title}")
+    say("parameters: " + ", ".join(f"{name} = {value}" for name, value in deck.parameters.items()))
+    say("model: " + ", ".join(f"{count} *{name}" for name, count in rows.items()))
+    say("keywords: " + ", ".join(f"*{name}" + (f" ({n})" if n > 1 else "") for name, n in keywords.items()))
+    for note in deck.notes:
+        say(f"note: {note}")

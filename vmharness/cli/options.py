@@ -1,0 +1,104 @@
+"""Options of a run, checked where they are read; nothing of the solvers or reports is imported for that."""
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+from pkgutil import iter_modules
+from typing import Any, TypeVar
+
+import click
+
+import vmharness
+from vmharness.suite import settings
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+SOLVER = "builtin"
+TIMEOUT = 600.0  # seconds
+FILE = click.Path(dir_okay=False, path_type=Path)
+FOLDER = click.Path(file_okay=False, path_type=Path)
+
+
+def running(command: Command) -> Command:
+    """Add -j, --solver, --set and --timeout."""
+    for option in (
+        click.option(
+            "--timeout",
+            type=click.FloatRange(0, min_open=True),
+            default=TIMEOUT,
+            metavar="SECONDS",
+            help=f"Time limit of a case.  [default: {TIMEOUT:g}]",
+        ),
+        click.option(
+            "--set",
+            "data",
+            multiple=True,
+            metavar="NAME=VALUE",
+            callback=_data,
+            help="Other data, for theory and deck; reports go to runs/.",
+        ),
+        click.option(
+            "--solver", default=SOLVER, metavar="NAME", callback=_solver, help=f"[default: {SOLVER}]"
+        ),
+        click.option(
+            "-j",
+            "--jobs",
+            default="1",
+            metavar="N",
+            callback=_jobs,
+            help="Worker processes; auto: one a core.",
+        ),
+    ):
+        command = option(command)
+    return command
+
+
+def formats(command: Command) -> Command:
+    """Add an option --FORMAT FILE for each format for machines; `files` then tells which were given."""
+    for name in reversed(_folder("report/files")):
+        command = click.option(
+            f"--{name}",
+            type=FILE,
+            metavar="FILE",
+            expose_value=False,
+            callback=_remember,
+            help=f"Write the results as {name.upper()}, too.",
+        )(command)
+    return command
+
+
+def files(ctx: click.Context) -> dict[str, Path]:
+    """Which formats are to be written, and where to."""
+    return {name: path for name, path in ctx.meta.items() if name in _folder("report/files")}
+
+
+def _jobs(ctx: click.Context, parameter: click.Parameter, value: str) -> int:
+    if value in ("auto", "0"):
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if not value.isdecimal():
+        raise click.BadParameter(f"{value} is neither a number of workers nor auto")
+    return int(value)
+
+
+def _solver(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
+    if value not in (names := _folder("backends")):
+        raise click.BadParameter(f"no solver {value}; there are: {', '.join(names)}")
+    return value
+
+
+def _data(ctx: click.Context, parameter: click.Parameter, values: tuple[str, ...]) -> dict[str, float]:
+    try:
+        return settings.parse(values)
+    except settings.SettingError as error:
+        raise click.BadParameter(str(error)) from None
+
+
+def _remember(ctx: click.Context, parameter: click.Parameter, value: Path | None) -> None:
+    if value is not None:
+        ctx.meta[str(parameter.name)] = value
+
+
+def _folder(path: str) -> list[str]:
+    """Names in a drop-in folder of the package, found without importing what lies around it."""
+    modules = iter_modules([str(Path(vmharness.__file__).parent / path)])
+    return sorted(module.name.replace("_", "-") for module in modules)

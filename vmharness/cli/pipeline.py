@@ -1,0 +1,88 @@
+"""Selected cases through solver, comparison and reports; what goes wrong with one stops no other."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from vmharness.cli import reports
+from vmharness.cli.bars import shown
+from vmharness.cli.read import read_cases
+from vmharness.cli.say import complain, say
+from vmharness.suite import last_run, settings
+from vmharness.suite.judge import judged, solving
+from vmharness.suite.outcome import Outcome, Status
+from vmharness.suite.pool import Pool
+from vmharness.suite.select import Entry
+
+COMPILED = "builtin"  # the solver whose kernels are compiled when it first runs
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What is to be done with the cases."""
+
+    solver: str
+    data: Mapping[str, float]  # other data than the cases', in their units
+    jobs: int
+    timeout: float
+    root: Path  # of the reports
+    report: bool
+    index: bool
+    files: Mapping[str, Path]  # for machines, by format
+
+    def name(self, id: str) -> str:
+        """The case's name in the reports: with other data one that says so, so as not to stand over the manual's."""
+        return settings.label(id, self.data) if self.data else id
+
+
+def run_cases(found: Sequence[Entry], wanted: Wanted) -> list[Outcome]:
+    """What becomes of every case: solved in a worker, judged, its page written. Ctrl-C leaves what is done."""
+    with Pool(
+        min(wanted.jobs, len(found)), solving, wanted.solver
+    ) as pool:  # they start while cases are read
+        cases, outcomes = read_cases(found, wanted.data)
+        _say_if_cold(wanted.solver)
+        if wanted.report:
+            reports.get_ready()
+        events = judged(pool, cases, wanted.solver, wanted.timeout)
+        try:
+            for outcome in shown(events, [case.id for case in cases]):
+                outcomes.append(_page(outcome, wanted))
+                if len(cases) > 1:
+                    say(f"{outcome.id}: {outcome.status}")
+        except KeyboardInterrupt:
+            complain("interrupted; what is done is kept, and --lf runs the rest")
+            done = {outcome.id for outcome in outcomes}
+            outcomes += [Outcome(case.id, Status.NOT_RUN) for case in cases if case.id not in done]
+    return outcomes
+
+
+def write_files(outcomes: Sequence[Outcome], wanted: Wanted) -> list[Outcome]:
+    """Write the index, the formats for machines, and what --lf needs; returns what could not be written."""
+    from vmharness import report
+
+    runs = [outcome.run for outcome in outcomes if outcome.run is not None]
+    tasks: dict[str, Callable[[], object]] = {}
+    for name, path in wanted.files.items():
+        tasks[str(path)] = partial(reports.write_file, name, runs, path)
+    if wanted.index:
+        tasks["the index"] = partial(report.write_index, runs, wanted.root)
+    if not wanted.data:
+        tasks[str(wanted.root / last_run.FILE)] = partial(last_run.write, wanted.root, outcomes)
+    done = [reports.attempted(Outcome(what, Status.PASS), "it", write) for what, write in tasks.items()]
+    return [outcome for outcome in done if outcome.status is not Status.PASS]
+
+
+def _page(outcome: Outcome, wanted: Wanted) -> Outcome:
+    if outcome.run is None or not wanted.report:
+        return outcome
+    write = partial(reports.write_page, outcome.run, wanted.root, wanted.name(outcome.id))
+    return reports.attempted(outcome, "the report", write)
+
+
+def _say_if_cold(solver: str) -> None:
+    from vmharness.explicit import cache
+
+    if solver == COMPILED and cache.is_cold():
+        say("compiling the solver's kernels: a first run takes longer, up to a minute")

@@ -1,0 +1,64 @@
+"""Reports of a run, written so that what goes wrong with one is said, and stops nothing else."""
+
+import contextlib
+import traceback
+from collections.abc import Callable
+from dataclasses import replace
+from importlib import import_module
+from pathlib import Path
+from threading import Thread
+from typing import TYPE_CHECKING
+
+from vmharness.suite.outcome import Outcome, Status
+
+if TYPE_CHECKING:
+    from vmharness.result import CaseRun
+
+NEEDED = (
+    "vmharness.run",
+    "scipy.interpolate",
+    "matplotlib.backends.backend_svg",
+    "vmharness.report.page",
+    "jinja2",
+)
+
+
+def get_ready() -> None:
+    """Import what writing reports needs, beside the solver: that takes about as long as a short case."""
+
+    def load() -> None:
+        with contextlib.suppress(Exception):  # is imported again, and complained about, where it is used
+            for module in NEEDED:
+                import_module(module)
+
+    Thread(target=load, daemon=True).start()
+
+
+def write_page(run: "CaseRun", root: Path, name: str) -> None:
+    """Write the pages of a case to `root`/`name`; with other data also the deck that these gave."""
+    from vmharness import report
+    from vmharness.report import atomic
+
+    report.write_case(replace(run, case=replace(run.case, id=name)), root)
+    if run.solution.resolved_deck:
+        atomic.write(root / name / "deck.k", run.solution.resolved_deck)
+
+
+def write_file(format: str, runs: list["CaseRun"], path: Path) -> None:
+    """Write all runs in a format for machines."""
+    from vmharness import report
+    from vmharness.report import atomic
+
+    atomic.write(path, report.render(format, runs))
+
+
+def attempted(outcome: Outcome, what: str, write: Callable[[], object]) -> Outcome:
+    """Do `write`; the outcome, or where that fails what it has then become: a wrong place, or a defect."""
+    try:
+        write()
+        return outcome
+    except OSError as error:
+        return replace(outcome, status=Status.BROKEN, reason=f"{what} cannot be written: {error}")
+    except Exception as error:
+        reason = f"{what} cannot be written: {type(error).__name__}: {error}"
+        return replace(outcome, status=Status.DEFECT, reason=reason, traceback=traceback.format_exc())

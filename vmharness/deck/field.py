@@ -1,0 +1,154 @@
+"""A field of a card: kind, width, default, and which values are supported."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from typing import Literal
+
+from vmharness.deck.number import to_integer, to_real
+
+Value = int | float | str
+
+REFERENCE = re.compile(r"-?&\s*[A-Za-z_]\w*")
+
+LONG_WIDTH = 20  # columns of a field in long format
+HEADING = 70  # a text at least this wide is a heading: commas belong to it, and long format keeps its width
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Field:
+    """One field of a card; `default` None means that a value is required."""
+
+    kind: Literal["integer", "real", "text"]
+    width: int
+    default: Value | None
+    choices: tuple[Value, ...] = ()
+    zero_is_default: bool = False
+    above: float | None = None
+    at_least: float | None = None
+
+    @property
+    def is_heading(self) -> bool:
+        return self.kind == "text" and self.width >= HEADING
+
+    def columns(self, long: bool) -> int:
+        """Width in columns; in long format the same for all but headings."""
+        return LONG_WIDTH if long and not self.is_heading else self.width
+
+    def read(self, item: str, parameters: Mapping[str, Value]) -> Value:
+        """The value that the characters `item` of a card give; raises ValueError saying what is wrong."""
+        item = item.strip()
+        if REFERENCE.fullmatch(item):
+            value = self._convert(substitute(item, parameters))
+        elif item:
+            value = self._convert(item)
+        elif self.default is None:
+            raise ValueError("a value is required")
+        else:
+            value = self.default
+        if self.zero_is_default and value == 0 and self.default is not None:
+            value = self.default
+        if fault := self.fault(value):
+            raise ValueError(fault)
+        return value
+
+    def fault(self, value: Value) -> str:
+        """What is wrong with `value`, or nothing."""
+        if self.choices and value not in self.choices:
+            *others, last = map(str, self.choices)
+            return (
+                f"only {', '.join(others)} and {last} are supported"
+                if others
+                else f"only {last} is supported"
+            )
+        if isinstance(value, str):
+            return ""
+        if self.above is not None and not value > self.above:
+            return f"must be greater than {self.above:g}"
+        if self.at_least is not None and not value >= self.at_least:
+            return f"must be at least {self.at_least:g}"
+        return ""
+
+    def _convert(self, item: str) -> Value:
+        if self.kind == "integer":
+            return to_integer(item)
+        if self.kind == "real":
+            return to_real(item)
+        if len(item) > max(self.width, LONG_WIDTH):
+            raise ValueError(f"more than {max(self.width, LONG_WIDTH)} characters")
+        return item.upper() if self.choices else item
+
+
+def substitute(item: str, parameters: Mapping[str, Value]) -> str:
+    """The value of `&name` or `-&name`, written so that reading it gives the same number."""
+    sign, _, name = item.partition("&")
+    name = name.strip().lower()
+    if name not in parameters:
+        near = get_close_matches(name, parameters, n=1)
+        raise ValueError("undefined parameter" + (f"; did you mean &{near[0]}?" if near else ""))
+    value = parameters[name]
+    if not sign:
+        return str(value)
+    if isinstance(value, str):
+        raise ValueError("a text parameter has no sign")
+    return str(-value)
+
+
+def integer(
+    default: int | None = None,
+    *,
+    width: int = 10,
+    choices: tuple[int, ...] = (),
+    zero_is_default: bool = False,
+    above: float | None = None,
+    at_least: float | None = None,
+) -> Field:
+    """An integer; without a default it is required."""
+    return Field(
+        kind="integer",
+        width=width,
+        default=default,
+        choices=choices,
+        zero_is_default=zero_is_default,
+        above=above,
+        at_least=at_least,
+    )
+
+
+def real(
+    default: float | None = None,
+    *,
+    width: int = 10,
+    choices: tuple[float, ...] = (),
+    zero_is_default: bool = False,
+    above: float | None = None,
+    at_least: float | None = None,
+) -> Field:
+    """A real number; without a default it is required."""
+    return Field(
+        kind="real",
+        width=width,
+        default=default,
+        choices=choices,
+        zero_is_default=zero_is_default,
+        above=above,
+        at_least=at_least,
+    )
+
+
+def text(default: str | None = None, *, width: int = 10, choices: tuple[str, ...] = ()) -> Field:
+    """A text without the blanks around it; `choices` are in capitals and match in any case."""
+    return Field(kind="text", width=width, default=default, choices=choices)
+
+
+def only(value: Value, *, width: int = 10, zero_is_default: bool = False) -> Field:
+    """A field for which one behaviour is implemented: blank gives `value`, any other value is refused."""
+    kind: Literal["integer", "real", "text"]
+    kind = "text" if isinstance(value, str) else "integer" if isinstance(value, int) else "real"
+    return Field(kind=kind, width=width, default=value, choices=(value,), zero_is_default=zero_is_default)
+
+
+def skip(width: int = 10) -> Field:
+    """A column without meaning: blank or zero; anything else is refused, for it may have been meant."""
+    return only(0.0, width=width)

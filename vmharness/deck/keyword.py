@@ -1,0 +1,90 @@
+"""The layout of a keyword, as data."""
+
+from collections.abc import Mapping
+
+from vmharness.deck.card import Card, Rows
+from vmharness.deck.field import integer, text
+
+OPTIONS = {
+    "TITLE": Card(title=text("", width=80)),
+    "ID": Card(id=integer(0), heading=text("", width=70)),
+}
+RESERVED = {"keyword", "spelled", "suffix", "file", "line", "values", "lines", "line_of", "error"}
+
+
+class Keyword:
+    """What may stand in the block of a keyword.
+
+    - `cards`: the cards of one group, in order; a last `Rows` takes all remaining lines.
+    - `repeat`: groups follow each other until the block ends, one entry each.
+    - `table`: the cards are one row of a table, one entry for the block, its fields are arrays.
+    - `options`: suffixes that put a card before each group: "TITLE" and "ID", or a mapping of suffix to card.
+    - `aliases`: other names of the same keyword.
+    - `unique`: the field that names what the entry defines; `kind` is what must not have two of the same name
+      (several keywords may define one kind: all materials share "mid").
+    - `single`: the keyword may stand once in a deck.
+    - `effect`: for a keyword that cannot change results: a short sentence that says so, for the deck's notes.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        *cards: Card,
+        repeat: bool = False,
+        table: bool = False,
+        options: tuple[str, ...] | Mapping[str, Card] = (),
+        aliases: tuple[str, ...] = (),
+        unique: str = "",
+        kind: str = "",
+        single: bool = False,
+        effect: str = "",
+    ) -> None:
+        self.name = name
+        self.rows: tuple[Card, ...] = (
+            cards if table else tuple(card for card in cards if isinstance(card, Rows))
+        )
+        self.cards = tuple(card for card in cards if card not in self.rows)
+        self.repeat = repeat
+        self.options = dict(options) if isinstance(options, Mapping) else {o: OPTIONS[o] for o in options}
+        self.aliases = aliases
+        self.unique = unique
+        self.kind = kind or unique
+        self.single = single
+        self.effect = effect
+        fields = [name for card in (*self.cards, *self.rows) for name in card.defaults()]
+        if hidden := RESERVED.intersection(fields):
+            raise ValueError(f"*{name}: an entry cannot have a field {', '.join(sorted(hidden))}")
+        if repeat and self.rows:
+            raise ValueError(f"*{name}: rows take all lines, so that groups cannot repeat")
+        if again := {field for field in fields if fields.count(field) > 1}:
+            raise ValueError(f"*{name}: two fields have the name {', '.join(sorted(again))}")
+
+    def __repr__(self) -> str:
+        return f"*{self.name}"
+
+    def group(self, option: str) -> tuple[Card, ...]:
+        """The cards of one group, the option's card first."""
+        return (self.options[option], *self.cards) if option else self.cards
+
+    def names(self) -> list[str]:
+        """Every name under which the keyword may stand in a deck."""
+        plain = [self.name, *self.aliases]
+        return plain + [f"{name}_{option}" for name in plain for option in self.options]
+
+    def summary(self) -> list[str]:
+        """Each card in one line: fields in capitals, with defaults and supported values.
+
+        >>> from vmharness.deck.field import integer, only
+        >>> Keyword("SET_X", Card(sid=integer(), its=only(1), n=integer(0, choices=(0, 1)))).summary()
+        ['SID ITS=1(only 1) N=0(only 0, 1)']
+        """
+        return [
+            " ".join(
+                name.upper()
+                + ("" if field.default is None else f"={field.default}")
+                + (f"(only {', '.join(map(str, field.choices))})" if field.choices else "")
+                for name, field in card.fields.items()
+                if not name.startswith("_")
+            )
+            for card in (*self.options.values(), *self.cards, *self.rows)
+        ]

@@ -1,0 +1,21 @@
+"""*CONTROL_SHELL: options of all shells."""
+
+from vmharness.deck.card import Card
+from vmharness.deck.field import integer, only, real
+from vmharness.deck.keyword import Keyword
+
+CONTROL_SHELL = Keyword(
+    "CONTROL_SHELL",
+    Card(
+        wrpang=real(20.0),  # angle of a warning
+        esort=only(0),
+        irnxx=integer(-1, choices=(-2, -1, 0)),  # fibre directions, which ELFORM 2 has none of
+        istupd=only(0),
+        theory=only(2, zero_is_default=True),
+        bwc=only(2, zero_is_default=True),
+        miter=only(1, zero_is_default=True),
+        proj=only(0),
+    ),
+    single=True,
+    effect="only what the elements do anyway is supported.",
+)

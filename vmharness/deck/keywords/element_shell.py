@@ -1,0 +1,27 @@
+"""*ELEMENT_SHELL: shells of four nodes; a triangle repeats its third."""
+
+from vmharness.deck.card import Card
+from vmharness.deck.field import Field, integer, only, real
+from vmharness.deck.keyword import Keyword
+
+ID = integer(width=8, above=0)
+NODES: dict[str, Field] = {f"n{i}": ID for i in range(1, 5)}
+MIDSIDE_NODES: dict[str, Field] = {f"n{i}": only(0, width=8) for i in range(5, 9)}
+CONNECTIVITY = Card({"eid": ID, "pid": ID, **NODES, **MIDSIDE_NODES})
+
+ELEMENT_SHELL = Keyword("ELEMENT_SHELL", CONNECTIVITY, table=True, unique="eid", kind="shell element")
+
+ELEMENT_SHELL_THICKNESS = Keyword(
+    "ELEMENT_SHELL_THICKNESS",
+    CONNECTIVITY,
+    Card(
+        thic1=real(0.0, width=16, at_least=0.0),
+        thic2=real(0.0, width=16, at_least=0.0),
+        thic3=real(0.0, width=16, at_least=0.0),
+        thic4=real(0.0, width=16, at_least=0.0),
+        beta=only(0.0, width=16),
+    ),
+    table=True,
+    unique="eid",
+    kind="shell element",
+)

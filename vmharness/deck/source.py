@@ -1,0 +1,106 @@
+"""The files of a deck as one stream of blocks: *INCLUDE followed, and guarded."""
+
+import hashlib
+from collections.abc import Iterator
+from pathlib import Path
+
+from vmharness.deck.block import Block, blocks
+from vmharness.deck.error import DeckError
+
+DEEPEST = 20  # includes within includes
+BEGIN = "a deck begins with *KEYWORD; only comments may come before"
+MOST_BYTES = 2**29  # of all files together
+
+
+class Source:
+    """Reads a deck's files; `files` maps the name of each, relative to the deck's folder, to its SHA-256."""
+
+    def __init__(self, path: Path, include_outside: bool) -> None:
+        self.path = path
+        self.folder = path.parent.resolve()
+        self.include_outside = include_outside
+        self.files: dict[str, str] = {}
+        self.bytes = 0
+
+    def blocks(self) -> Iterator[Block]:
+        """The blocks of the deck in the order in which they take effect, those of includes in their place."""
+        name = self.path.name
+        if not self.path.is_file():
+            raise DeckError("no such file", name)
+        yield from self._file(self.folder / name, (), False, DeckError("", name))
+
+    def _file(self, path: Path, chain: tuple[str, ...], long: bool, place: DeckError) -> Iterator[Block]:
+        """The blocks of one file; `chain` are the files that led to it, `place` the line that asks for it."""
+        name = self._name(path)
+        if name in chain:
+            raise _at(place, f"a file includes itself: {' -> '.join((*chain, name))}")
+        if name in self.files:
+            raise _at(place, "the file is included already")
+        if len(chain) > DEEPEST:
+            raise _at(place, f"includes are nested more than {DEEPEST} deep")
+        text = self._text(path, name, place)
+        found = list(blocks(text, name, long))
+        if not chain and (not found or found[0].name != "KEYWORD"):
+            raise DeckError(BEGIN, name, found[0].line if found else 1, found[0].name if found else "")
+        for i, block in enumerate(found):
+            if block.name == "KEYWORD":
+                if i:
+                    raise block.error("*KEYWORD may stand only once, at the beginning of a file")
+                if block.lines and any(line.strip() for line in block.lines):
+                    raise block.error("*KEYWORD has no data lines", block.numbers[0])
+                long = block.long
+            if block.name == "INCLUDE":
+                for wanted, line in names(block):
+                    asking = DeckError("", block.file, line, block.name, "filename", wanted)
+                    yield from self._file(self._target(wanted, asking), (*chain, name), long, asking)
+            else:
+                yield block
+
+    def _target(self, wanted: str, place: DeckError) -> Path:
+        """The file that an include names, relative to the deck's folder; links are followed first."""
+        try:
+            target = (self.folder / wanted).resolve()
+            if not (self.include_outside or target.is_relative_to(self.folder)):
+                raise _at(place, "lies outside the deck's folder; only files within it are read")
+            if target.is_file():
+                return target
+        except (OSError, ValueError, RuntimeError):
+            raise _at(place, "not a file name") from None
+        raise _at(place, "no such file in the deck's folder")
+
+    def _text(self, path: Path, name: str, place: DeckError) -> str:
+        try:
+            self.bytes += path.stat().st_size
+            if self.bytes > MOST_BYTES:
+                raise _at(place, f"the deck has more than {MOST_BYTES} bytes")
+            content = path.read_bytes()
+        except OSError as error:
+            raise _at(place, f"cannot be read: {error.strerror}") from None
+        self.files[name] = hashlib.sha256(content).hexdigest()
+        try:
+            return content.decode("utf-8-sig")
+        except UnicodeDecodeError:
+            return content.decode("latin-1")  # every byte is a character: comments and titles in any encoding
+
+    def _name(self, path: Path) -> str:
+        return path.relative_to(self.folder).as_posix() if path.is_relative_to(self.folder) else str(path)
+
+
+def names(block: Block) -> Iterator[tuple[str, int]]:
+    """The file names of an *INCLUDE, each with its line; " +" at the end of a line continues the name."""
+    wanted = ""
+    for line, number in zip(block.lines, block.numbers, strict=True):
+        part = line.strip()
+        if part.endswith(" +"):
+            wanted += part[:-2].rstrip()
+        elif wanted + part:
+            yield wanted + part, number
+            wanted = ""
+    if wanted:
+        raise block.error("the continued file name does not end", block.numbers[-1])
+    if not any(line.strip() for line in block.lines):
+        raise block.error("a file name is required")
+
+
+def _at(place: DeckError, what: str) -> DeckError:
+    return DeckError(what, place.file, place.line, place.keyword, place.field, place.value)

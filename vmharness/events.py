@@ -1,0 +1,141 @@
+"""Events, found between samples: onset, level crossing, extremum.
+
+A value read at the nearest sample is the output interval's, not the solver's. Each event comes with the uncertainty
+that sampling leaves: how far it moves when only every second sample is kept.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Direction = Literal["up", "down"]
+
+
+class EventError(ValueError):
+    """An event did not happen, or not as often as declared, or cannot be located."""
+
+
+@dataclass(frozen=True)
+class Event:
+    """When an event happened, and how far the sampling leaves that open; consistent units of time."""
+
+    time: float
+    uncertainty: float
+
+
+def onsets(time: Array, values: Array) -> list[float]:
+    """Times at which a channel that was exactly zero begins: extrapolated backward to its root.
+
+    A force has a kink at its onset, so nothing is interpolated across it: the parabola through the first three
+    non-zero samples is followed back to zero. The root must lie in the step before them, (t_0, t_1]; where fewer
+    than three samples are non-zero, or the parabola has no root there, the line through the first two must have one.
+    Raises EventError where neither locates it.
+    """
+    on = values != 0.0
+    first = np.flatnonzero(on[1:] & ~on[:-1]) + 1
+    return [_root_before(time, values, int(i)) for i in first]
+
+
+def _root_before(time: Array, values: Array, i: int) -> float:
+    """The root in (t_{i-1}, t_i] of the parabola, or the line, through the samples that begin at i."""
+    before = time[i - 1] - time[i]
+    for points in (3, 2):
+        if i + points > time.size or np.any(values[i : i + points] == 0.0):
+            continue
+        t = time[i : i + points] - time[i]
+        roots = np.roots(np.polyfit(t / -before, values[i : i + points], points - 1)) * -before
+        real = roots[np.isreal(roots)].real
+        inside = real[(real > before) & (real <= 0.0)]
+        if inside.size:
+            return float(time[i] + inside.max())
+    raise EventError(
+        f"begins between {time[i - 1]:.7g} and {time[i]:.7g}, but cannot be located within that step"
+    )
+
+
+def crossings(time: Array, values: Array, level: float, direction: Direction) -> list[float]:
+    """Times at which a channel passes `level` upward or downward: roots of the cubic Hermite interpolant.
+
+    A channel that touches the level and turns back does not cross it; one that rests on it crosses when it leaves.
+    """
+    sign = 1.0 if direction == "up" else -1.0
+    above = sign * (values - level) > 0.0
+    passed = np.flatnonzero(above[1:] & ~above[:-1])
+    return [_hermite_root(time, values - level, int(i)) for i in passed]
+
+
+def _hermite_root(time: Array, values: Array, i: int) -> float:
+    """The root between samples i and i + 1."""
+    from scipy.interpolate import CubicHermiteSpline
+    from scipy.optimize import brentq
+
+    if values[i] == 0.0:
+        return float(time[i])
+    near = slice(max(i - 2, 0), i + 4)
+    t, y = time[near] - time[i], values[near]
+    cubic = CubicHermiteSpline(t, y, np.gradient(y, t, edge_order=2 if t.size > 2 else 1))
+    return float(
+        time[i] + brentq(lambda s: float(cubic(s)), 0.0, time[i + 1] - time[i], xtol=1e-300, rtol=1e-14)
+    )
+
+
+def minima(time: Array, values: Array) -> list[float]:
+    """Times of the lowest values: vertices of the parabola through the lowest sample and its neighbours.
+
+    A valley counts when both its sides rise above it by a thousandth of the channel's range, so that round-off and
+    ripple are no events. Ends of the run are not minima: what still falls there has not turned yet.
+    """
+    return [_vertex(time, values, i) for i in _valleys(values, 1e-3 * float(np.ptp(values)))]
+
+
+def _valleys(values: Array, rise: float) -> list[int]:
+    """Indices of the lowest samples of the valleys that are deeper than `rise` on both sides."""
+    found: list[int] = []
+    if rise == 0.0:
+        return found
+    high, low, falling = 0, 0, False
+    for i in range(1, values.size):
+        if falling:
+            if values[i] < values[low]:
+                low = i
+            elif values[i] > values[low] + rise:
+                found.append(low)
+                falling, high = False, i
+        elif values[i] > values[high]:
+            high = i
+        elif values[i] < values[high] - rise:
+            falling, low = True, i
+    return found
+
+
+def _vertex(time: Array, values: Array, i: int) -> float:
+    """The vertex of the parabola through the samples i-1, i, i+1."""
+    a, b = time[i - 1] - time[i], time[i + 1] - time[i]
+    left, right = (values[i - 1] - values[i]) / a, (values[i + 1] - values[i]) / b  # divided differences
+    curvature = (right - left) / (b - a)
+    return float(time[i] - 0.5 * (left - curvature * a) / curvature)
+
+
+def find(
+    locate: Callable[[Array, Array], list[float]], time: Array, values: Array, times: int, pick: int
+) -> Event:
+    """The `pick`-th of the `times` events that `locate` finds, with the uncertainty that sampling leaves.
+
+    Raises EventError when the event happens less or more often than `times`.
+    """
+    if not np.all(np.isfinite(values)):
+        raise EventError("has samples that are not finite")
+    found = locate(time, values)
+    if len(found) != times:
+        at = f", at {', '.join(f'{t:.7g}' for t in found[:5])}" if found else ""
+        often = "did not happen" if not found else f"happened {len(found)} times{at}"
+        raise EventError(f"{often} within the run, to {time[-1]:.7g}; {times} declared")
+    coarse = locate(time[::2], values[::2])
+    shift = (
+        abs(coarse[pick - 1] - found[pick - 1]) if len(coarse) == times else 2.0 * float(np.diff(time).max())
+    )
+    return Event(found[pick - 1], float(shift))

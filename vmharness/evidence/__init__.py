@@ -1,0 +1,1 @@
+"""What shows that a pass means something, and where a difference comes from."""

@@ -1,0 +1,90 @@
+"""Where a published difference comes from: our history, read as the published column seems to have been.
+
+A code that writes states at a nominal interval writes each at the last cycle not after the nominal time, and a reader
+who takes the first state with contact, or the lowest state, without interpolation, reports the interval, not the code.
+"""
+
+from decimal import Decimal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vmharness.case import Case
+from vmharness.case.format import Event, Published
+from vmharness.formula import Unit
+from vmharness.history import History
+from vmharness.measure import value_at
+from vmharness.result import Reading
+
+
+def readings(case: Case, history: History) -> dict[str, tuple[Reading, ...]]:
+    """For each published column that declares an interval: its values beside our history read that way."""
+    return {
+        column.name: _column(case, history, column, column.interval)
+        for column in case.file.published
+        if column.interval is not None
+    }
+
+
+def states(history: History, interval: float) -> NDArray[np.intp]:
+    """Indices of the samples that are states: for each nominal time 0, T, 2T, ... the last sample not after it."""
+    nominal = np.arange(0.0, history.time[-1] * (1.0 + 1e-12), interval)
+    # A cycle that falls on the nominal time up to round-off of the accumulated time counts as not after it.
+    found = np.searchsorted(history.time, nominal + 1e-9 * interval, side="right") - 1
+    return np.unique(found[found >= 0])
+
+
+def _column(case: Case, history: History, column: Published, interval: float) -> tuple[Reading, ...]:
+    chosen = states(history, interval)
+    sampled = History(
+        history.time[chosen], {name: values[chosen] for name, values in history.channels.items()}
+    )
+    rows = []
+    for result in case.file.results:
+        if result.key not in column.values:
+            continue
+        state = state_of(case.file.events[result.event], sampled)
+        if state is None:
+            continue
+        factor = case.units.factor(Unit(result.unit))
+        text = column.values[result.key]
+        read = float(sampled[result.channel][state]) / factor
+        other = None
+        if (t := column.exactly_at.get(result.key)) is not None and t <= history.time[-1]:
+            other = (t, value_at(history, result.channel, t) / factor)
+        rows.append(
+            Reading(
+                key=result.key,
+                label=result.label,
+                unit=result.unit,
+                published=text,
+                read=read,
+                at=float(sampled.time[state]),
+                same=prints_as(read, text),
+                target=case.target(result.key) / factor,
+                other=other,
+                other_same=other is not None and prints_as(other[1], text),
+            )
+        )
+    return tuple(rows)
+
+
+def state_of(event: Event, sampled: History) -> int | None:
+    """Index of the state that a reader without interpolation takes for the event."""
+    if event.onset_of:
+        on = np.flatnonzero(sampled[event.onset_of] != 0.0)
+        return int(on[0]) if on.size else None
+    if event.minimum_of:
+        return int(np.argmin(sampled[event.minimum_of]))
+    if event.maximum_of:
+        return int(np.argmax(sampled[event.maximum_of]))
+    return None  # nobody reads a level crossing off states
+
+
+def prints_as(value: float, text: str) -> bool:
+    """True if `value`, rounded to the digits of `text`, is `text`.
+
+    >>> prints_as(-1.000462, "-1.0005"), prints_as(193.0879, "193.10")
+    (True, False)
+    """
+    return round(Decimal(value), -int(Decimal(text).as_tuple().exponent)) == Decimal(text)

@@ -1,0 +1,1 @@
+"""The built-in solver: keywords -> model -> time loop -> states."""

@@ -1,0 +1,1 @@
+"""Constraints, one a file; the folder is the list."""

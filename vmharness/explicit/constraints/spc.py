@@ -1,0 +1,101 @@
+"""*BOUNDARY_SPC_NODE, *BOUNDARY_SPC_SET and the constraint codes of *NODE: degrees of freedom that do not move."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vmharness.deck import Card, Deck, Entry, Keyword
+from vmharness.deck.field import integer, only
+from vmharness.deck.keywords.node import NODE
+from vmharness.explicit.compiled import kernel
+from vmharness.explicit.model import Model
+from vmharness.explicit.sets import node_set
+from vmharness.explicit.state import Array, State
+
+DOFS = ("dofx", "dofy", "dofz", "dofrx", "dofry", "dofrz")
+FLAGS = {dof: integer(0, choices=(0, 1)) for dof in DOFS}
+
+BOUNDARY_SPC_NODE = Keyword(
+    "BOUNDARY_SPC_NODE",
+    Card({"nid": integer(above=0), "cid": only(0), **FLAGS}),
+    options=("ID",),
+    repeat=True,
+)
+BOUNDARY_SPC_SET = Keyword(
+    "BOUNDARY_SPC_SET",
+    Card({"nsid": integer(above=0), "cid": only(0), **FLAGS}),
+    options=("ID",),
+    repeat=True,
+)
+
+CODES = {0: "", 1: "x", 2: "y", 3: "z", 4: "xy", 5: "yz", 6: "zx", 7: "xyz"}  # TC and RC of *NODE
+
+
+def build(deck: Deck, model: Model) -> None:
+    """Add one constraint for all supports of the deck, if it has any."""
+    fixed = np.zeros((model.state.mass.size, 6), bool)
+    for entry in deck.all(BOUNDARY_SPC_NODE):
+        fixed[model.row(entry, "nid", entry.nid)] |= _flags(entry)
+    for entry in deck.all(BOUNDARY_SPC_SET):
+        fixed[node_set(deck, model, entry, "nsid")] |= _flags(entry)
+    for entry in deck.all(NODE):
+        _codes(entry, model, fixed)
+    if fixed.any():
+        model.state.v[fixed[:, :3]] = 0.0  # a support overrules an initial velocity
+        model.state.omega[fixed[:, 3:]] = 0.0
+        model.constraints.append(Supports(fixed))
+
+
+def _flags(entry: Entry) -> NDArray[np.bool_]:
+    return np.array([getattr(entry, dof) == 1 for dof in DOFS])
+
+
+def _codes(entry: Entry, model: Model, fixed: NDArray[np.bool_]) -> None:
+    for offset, codes in ((0, entry.tc), (3, entry.rc)):
+        for i in np.flatnonzero(codes):
+            row = model.row(entry, "nid", entry.nid[i])
+            fixed[row, [offset + "xyz".index(axis) for axis in CODES[int(codes[i])]]] = True
+
+
+class Supports:
+    """Fixed degrees of freedom: a = 0, and the reaction r = -f that keeps them so."""
+
+    name = "supports"
+
+    def __init__(self, fixed: NDArray[np.bool_]) -> None:
+        """`fixed` is (n, 6): x, y, z and the rotations about them, for every node."""
+        self.energy: dict[str, Array] = {}  # fixed nodes do no work
+        self.fixed = fixed
+        self.nodes, self.dofs = np.nonzero(fixed)
+        self.reaction = np.zeros((fixed.shape[0], 6))  # (n, 6) force and moment of the supports on the nodes
+        self.total = np.zeros(6)  # their sum; moments about each node's own place
+
+    def accelerate(self, state: State) -> None:
+        """a = 0 and r = -f at the fixed degrees of freedom."""
+        hold(self.nodes, self.dofs, self.reaction, self.total, state.f, state.moment, state.a, state.alpha)
+
+    def move(self, state: State, dt: float) -> None:
+        """Nothing to do: what starts at rest and is not accelerated stays at rest."""
+
+
+@kernel
+def hold(
+    nodes: NDArray[np.intp],
+    dofs: NDArray[np.intp],
+    reaction: Array,
+    total: Array,
+    f: Array,
+    moment: Array,
+    a: Array,
+    alpha: Array,
+) -> None:
+    """r = -f, a = 0 for each pair of node and degree of freedom."""
+    total[:] = 0.0
+    for k in range(nodes.size):
+        i, j = nodes[k], dofs[k]
+        if j < 3:
+            reaction[i, j] = -f[i, j]
+            a[i, j] = 0.0
+        else:
+            reaction[i, j] = -moment[i, j - 3]
+            alpha[i, j - 3] = 0.0
+        total[j] += reaction[i, j]

@@ -1,0 +1,1 @@
+"""Contact formulations, one a file; the folder is the list."""

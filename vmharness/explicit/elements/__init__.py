@@ -1,0 +1,1 @@
+"""Element formulations, one a file; the folder is the list."""

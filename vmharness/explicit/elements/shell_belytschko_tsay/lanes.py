@@ -1,0 +1,91 @@
+"""How the nodal values of several elements lie side by side, so that one instruction serves them all.
+
+A stage of the step works on LANES elements at a time. Row r of element e is work[r * LANES + e] in one flat
+buffer: with constant offsets into one array the compiler sees that rows do not overlap, and makes vector
+instructions of every loop over e. Arrays per element are kept in this order too.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vmharness.explicit.compiled import kernel
+from vmharness.explicit.elements.shell_belytschko_tsay.frame import Corners
+from vmharness.explicit.state import Array
+from vmharness.explicit.vector import Vector, inlined
+
+Indices = NDArray[np.intp]
+
+LANES = 8
+
+# Rows of the buffer. The nodes' rows hold node 1 x, y, z, node 2 x, y, z, ...; the others up to three components each.
+X, V, OMEGA = 0, 12, 24
+F, MOMENT = V, OMEGA  # forces take the place of velocities, which are then used up
+MEMBRANE, CURVATURE, SHEAR = 36, 39, 42
+N, M, S = 45, 48, 51
+Q, R = 54, 57
+AREA, WORK, HOURGLASS_WORK, LENGTH = 60, 61, 62, 63
+ROWS = 64
+
+
+@inlined
+def vector(work: Array, row: int, e: int) -> Vector:
+    """Three rows of element e."""
+    return work[row * LANES + e], work[(row + 1) * LANES + e], work[(row + 2) * LANES + e]
+
+
+@inlined
+def put(work: Array, row: int, e: int, a: Vector) -> None:
+    """Store three rows of element e."""
+    work[row * LANES + e] = a[0]
+    work[(row + 1) * LANES + e] = a[1]
+    work[(row + 2) * LANES + e] = a[2]
+
+
+@inlined
+def corners(work: Array, row: int, e: int) -> Corners:
+    """The vectors at the four nodes of element e."""
+    return vector(work, row, e), vector(work, row + 3, e), vector(work, row + 6, e), vector(work, row + 9, e)
+
+
+@inlined
+def put_corners(work: Array, row: int, e: int, a: Corners) -> None:
+    """Store the vectors at the four nodes of element e."""
+    put(work, row, e, a[0])
+    put(work, row + 3, e, a[1])
+    put(work, row + 6, e, a[2])
+    put(work, row + 9, e, a[3])
+
+
+@kernel
+def gather(field: Array, nodes: Indices, block: int, work: Array, row: int) -> None:
+    """Copy the nodes' vectors of a field (n, 3) into the buffer."""
+    for e in range(LANES):
+        for i in range(4):
+            node = nodes[block, i, e]
+            for k in range(3):
+                work[(row + 3 * i + k) * LANES + e] = field[node, k]
+
+
+@kernel
+def scatter(field: Array, nodes: Indices, block: int, count: int, work: Array, row: int) -> None:
+    """Subtract internal forces (or moments) from a field (n, 3), element after element: the same sum every run."""
+    for e in range(count):
+        for i in range(4):
+            node = nodes[block, i, e]
+            for k in range(3):
+                field[node, k] -= work[(row + 3 * i + k) * LANES + e]
+
+
+def by_block(a: Array) -> Array:
+    """Order of the lanes: (ne, ...) -> flat (blocks, ..., LANES); the last element is repeated to fill its block.
+
+    >>> by_block(np.array([[1.0, 2.0], [3.0, 4.0]]))[:: LANES // 2]
+    array([1., 3., 2., 4.])
+    """
+    filled = np.concatenate([a, np.repeat(a[-1:], -len(a) % LANES, axis=0)])
+    return np.moveaxis(filled.reshape(len(filled) // LANES, LANES, *a.shape[1:]), 1, -1).ravel()
+
+
+def by_element(flat: Array, elements: int, *shape: int) -> Array:
+    """The way back: flat (blocks, ..., LANES) -> (ne, ...)."""
+    return np.moveaxis(flat.reshape(-1, *shape, LANES), -1, 1).reshape(-1, *shape)[:elements]

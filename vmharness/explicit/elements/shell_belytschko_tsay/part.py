@@ -1,0 +1,134 @@
+"""The shells of one part, as a force."""
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from vmharness.explicit.compiled import specialise
+from vmharness.explicit.elements.shell_belytschko_tsay import step
+from vmharness.explicit.elements.shell_belytschko_tsay.hourglass import Hourglass, moduli
+from vmharness.explicit.elements.shell_belytschko_tsay.lanes import LANES, ROWS, Indices, by_block, by_element
+from vmharness.explicit.elements.shell_belytschko_tsay.length import LENGTHS, wave_speed
+from vmharness.explicit.state import Array, State
+
+
+class BelytschkoTsay:
+    """Shells of one part: a force with the energies "internal" and "hourglass".
+
+    `nodes (ne, 4)`: rows of the state's arrays; `x (n, 3)`: initial coordinates; `thickness (ne,)`; `law` and its
+    `constants`, with `history` variables per point: see materials/elastic.py; `stiffness`: E and nu for hourglass
+    control and the stable step; `nip`: Gauss points through the thickness, 1 to 10; `shrf`: shear factor kappa.
+    Consistent units. Raises ValueError for a shape or an option that the element does not know.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        nodes: Indices,
+        x: Array,
+        thickness: Array,
+        density: float,
+        law: Callable[..., Any],
+        constants: tuple[Any, ...],
+        stiffness: tuple[float, float],
+        nip: int = 2,
+        shrf: float = 1.0,
+        hourglass: Hourglass | None = None,
+        isdo: int = 0,
+        history: int = 0,
+    ) -> None:
+        _check(nodes, x, thickness, nip, isdo)
+        control = hourglass or Hourglass()
+        C = moduli(x[nodes], thickness, density, stiffness, shrf, control)
+        elements = len(nodes)
+
+        self.name = name
+        self.elements, self.nip = elements, nip
+        self._shrf, self._constants, self._variables = float(shrf), constants, history
+        self._viscous = control.viscous
+        self._wave_speed = wave_speed(stiffness, density, isdo)
+        self._length = np.inf
+        self._points = np.stack(np.polynomial.legendre.leggauss(nip), axis=1)
+        self._nodes = by_block(nodes.astype(np.intp)).reshape(-1, 4, LANES)
+        self._section = by_block(np.column_stack([thickness, *C]))
+        self._stress = by_block(np.zeros((elements, nip, 5)))
+        self._hourglass = by_block(np.zeros((elements, 5)))
+        self._history = by_block(np.zeros((elements, nip, history)))
+        self._work = np.zeros(ROWS * LANES)
+        self._energy = np.zeros(2)
+        self.energy = {"internal": self._energy[:1], "hourglass": self._energy[1:]}
+        self._step = _compiled(law, isdo)
+
+    def add(self, state: State) -> None:
+        """Add forces and moments at t_n, and the work of the step that led there."""
+        self._length = self._step(
+            state.x,
+            state.v,
+            state.omega,
+            state.dt,
+            self._nodes,
+            self.elements,
+            self._section,
+            self._points,
+            self._shrf,
+            self._constants,
+            self._stress,
+            self._history,
+            self._variables,
+            self._viscous,
+            self._hourglass,
+            state.f,
+            state.moment,
+            self._energy,
+            self._work,
+        )
+
+    def stable_step(self) -> float:
+        """The shortest L_s / c at the geometry of the last `add`."""
+        return self._length / self._wave_speed
+
+    @property
+    def stress(self) -> Array:
+        """Stress (ne, nip, 5) in the elements' frames, from the lowest point up: xx, yy, xy, yz, zx."""
+        return by_element(self._stress, self.elements, self.nip, 5)
+
+    @stress.setter
+    def stress(self, stress: Array) -> None:
+        self._stress[:] = by_block(stress)
+
+    @property
+    def hourglass(self) -> Array:
+        """Hourglass forces x, y, z and moments x, y (ne, 5) in the elements' frames."""
+        return by_element(self._hourglass, self.elements, 5)
+
+
+@cache
+def _compiled(law: Callable[..., Any], isdo: int) -> Callable[..., float]:
+    """The step for one law and one characteristic length."""
+    stress_at_point = specialise(step.stress_at_point, law=law)
+    force = specialise(step.force, length=LENGTHS[isdo])
+    return specialise(step.step, stress_at_point=stress_at_point, force=force)
+
+
+def _check(nodes: Indices, x: Array, thickness: Array, nip: int, isdo: int) -> None:
+    """Refuse what the element cannot do."""
+    if not 1 <= nip <= 10:
+        raise ValueError(f"NIP = {nip}: 1 to 10 points through the thickness are supported")
+    if isdo not in range(len(LENGTHS)):
+        raise ValueError(f"ISDO = {isdo}: 0, 1 and 2 are supported")
+    if not len(nodes):
+        raise ValueError("no shells")
+    sorted_nodes = np.sort(nodes, axis=1)
+    normal = np.cross(x[nodes[:, 0]] - x[nodes[:, 2]], x[nodes[:, 1]] - x[nodes[:, 3]])
+    for wrong, what in (
+        (
+            np.any(sorted_nodes[:, 1:] == sorted_nodes[:, :-1], axis=1),
+            "has a node twice; triangles are not supported",
+        ),
+        (~(np.linalg.norm(normal, axis=1) > 0), "has no area"),
+        (~(thickness > 0), "has no thickness"),
+    ):
+        if np.any(wrong):
+            raise ValueError(f"shell {np.flatnonzero(wrong)[0]} {what}")

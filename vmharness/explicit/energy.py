@@ -1,0 +1,42 @@
+"""Energies and their balance."""
+
+from collections.abc import Iterable
+
+from vmharness.explicit.compiled import kernel
+from vmharness.explicit.constraint import Constraint
+from vmharness.explicit.force import Force
+from vmharness.explicit.state import Array, State
+
+STORED = ("internal", "hourglass", "contact")  # part of the total energy, beside the kinetic; see `ratio`
+
+
+def kinetic(state: State) -> float:
+    """Kinetic energy at t_n, 1/2 sum m v_n^2 + I omega_n^2, with v_n = v_{n-1/2} + dt_{n-1}/2 a_n."""
+    s = state
+    return _kinetic(s.v, s.a, s.mass, s.omega, s.alpha, s.inertia, 0.5 * s.dt)
+
+
+@kernel
+def _kinetic(
+    v: Array, a: Array, mass: Array, omega: Array, alpha: Array, inertia: Array, half: float
+) -> float:
+    twice = 0.0
+    for i in range(v.shape[0]):
+        for j in range(3):
+            twice += mass[i] * (v[i, j] + half * a[i, j]) ** 2
+            twice += inertia[i] * (omega[i, j] + half * alpha[i, j]) ** 2
+    return 0.5 * twice
+
+
+def accounts(items: Iterable[Force | Constraint], name: str) -> list[Array]:
+    """The accounts (1,) of the energy `name` in all forces and constraints that keep one."""
+    return [item.energy[name] for item in items if name in item.energy]
+
+
+def ratio(total: float, initial: float, external_work: float) -> float:
+    """Total energy / (initial energy + external work); 1 by definition while that is zero.
+
+    Total = kinetic + internal + hourglass + contact. (LS-DYNA's glstat prints the same ratio.)
+    """
+    put_in = initial + external_work
+    return total / put_in if put_in != 0.0 else 1.0

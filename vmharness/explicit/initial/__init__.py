@@ -1,0 +1,1 @@
+"""Initial conditions, one a file; the folder is the list."""

@@ -1,0 +1,1 @@
+"""Loads, one a file; the folder is the list."""

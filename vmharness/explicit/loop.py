@@ -1,0 +1,55 @@
+"""The time loop: central differences in leapfrog form (Belytschko, Liu & Moran, Nonlinear Finite Elements, box 6.1)."""
+
+import math
+from collections.abc import Iterator
+
+from vmharness.explicit.error import SolverError
+from vmharness.explicit.integrate import accelerate, advance_position, advance_velocity, clear
+from vmharness.explicit.model import Model
+from vmharness.explicit.state import State
+
+
+def steps(model: Model) -> Iterator[State]:
+    """Yield the state at t_0, t_1, ... until the end time is reached.
+
+        a_n       = M^-1 f(t_n, x_n, v_{n-1/2})
+        v_{n+1/2} = v_{n-1/2} + 1/2 (dt_{n-1} + dt_n) a_n        v_{1/2} = v_0 + 1/2 dt_0 a_0
+        x_{n+1}   = x_n + dt_n v_{n+1/2}
+
+    It is one object, updated in place. Its `x`, `a` and forces are at t_n, `v` is v_{n-1/2}; `energy.kinetic` and
+    `probe` bring the velocity to t_n. Raises SolverError where the step vanishes or the motion is no longer finite.
+    """
+    s, shortest = model.state, 0.0
+    while True:
+        clear(s.f, s.moment)
+        for force in model.forces:
+            force.add(s)
+
+        size = accelerate(s.a, s.alpha, s.f, s.moment, model.inverse_mass, model.inverse_inertia)
+        if not math.isfinite(size):
+            raise SolverError(s, "the motion is no longer finite: the run has diverged", model.wildest())
+        for constraint in model.constraints:
+            constraint.accelerate(s)
+
+        yield s
+        if s.t >= model.end_time or s.cycle >= model.end_cycle:
+            return
+
+        dt = model.step_factor * min([force.stable_step() for force in model.forces], default=math.inf)
+        check_step(model, dt, shortest)
+        shortest = shortest or model.dtmin * dt
+        advance_velocity(s.v, s.omega, s.a, s.alpha, 0.5 * (s.dt + dt))
+        for constraint in model.constraints:
+            constraint.move(s, dt)
+
+        advance_position(s.x, s.v, dt)
+        s.t, s.dt, s.cycle = s.t + dt, dt, s.cycle + 1
+
+
+def check_step(model: Model, dt: float, shortest: float) -> None:
+    """Raise SolverError unless the run can go on with the step `dt`."""
+    s = model.state
+    if math.isinf(dt):
+        raise SolverError(s, "no element limits the time step: there is nothing that sets it")
+    if not dt > shortest or s.t + dt == s.t:
+        raise SolverError(s, f"the time step has vanished: {dt:.3g} after {s.dt:.3g}", model.controlling())

@@ -1,0 +1,1 @@
+"""Constitutive laws, one a file; the folder is the list."""

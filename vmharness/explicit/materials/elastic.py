@@ -1,0 +1,88 @@
+"""Linear elasticity, isotropic: Hooke's law between rates of stress and strain in a frame that turns with the element.
+
+Every plane-stress law has the signature of `plane_stress` below, so that a shell is written once for all of them:
+
+    law(constants, dt, dexx, deyy, dexy, deyz, dezx, sxx, syy, sxy, syz, szx, history, at, stride)
+        -> sxx, syy, sxy, syz, szx, dezz
+
+It takes one point over one step: strain increments (engineering shear: dexy = 2 depsilon_xy), the stress before, and
+returns the stress after and the strain increment dezz through the thickness that keeps s_zz = 0. `constants` is the
+tuple that the material makes once. `dt` serves laws that depend on the rate. The k-th history variable of the point is
+`history[at + k * stride]`, kept between steps; HISTORY says how many a law needs. No branch depends on the point's
+state if it can be avoided: the law is inlined in a loop over elements, which then vectorises.
+"""
+
+from vmharness.deck import Card, Keyword, only, real, integer, skip
+from vmharness.explicit.state import Array
+from vmharness.explicit.vector import inlined
+
+KEYWORD = Keyword(
+    "MAT_ELASTIC",
+    Card(
+        mid=integer(above=0),
+        ro=real(above=0.0),
+        e=real(above=0.0),
+        pr=real(0.0),
+        da=only(0.0),
+        db=only(0.0),
+        _7=skip(),
+        _8=skip(),
+    ),
+    aliases=("MAT_001",),
+    options=("TITLE",),
+    repeat=True,
+    unique="mid",
+    kind="material",
+)
+
+HISTORY = 0  # history variables per point
+
+
+def constants(e: float, nu: float) -> tuple[float, float]:
+    """Young's modulus E and Poisson's ratio, checked; consistent units.
+
+    >>> constants(210.0, 0.3)
+    (210.0, 0.3)
+
+    Raises ValueError unless E > 0 and -1 < nu < 1/2.
+    """
+    if not e > 0:
+        raise ValueError(f"E = {e}: Young's modulus must be positive")
+    if not -1 < nu < 0.5:
+        raise ValueError(f"PR = {nu}: Poisson's ratio must lie between -1 and 0.5")
+    return float(e), float(nu)
+
+
+@inlined
+def plane_stress(
+    constants: tuple[float, float],
+    dt: float,
+    dexx: float,
+    deyy: float,
+    dexy: float,
+    deyz: float,
+    dezx: float,
+    sxx: float,
+    syy: float,
+    sxy: float,
+    syz: float,
+    szx: float,
+    history: Array,
+    at: int,
+    stride: int,
+) -> tuple[float, float, float, float, float, float]:
+    """Stress after a strain increment, with s_zz = 0; no history.
+
+    ds_xx = E/(1-nu^2) (de_xx + nu de_yy),  ds_xy = G de_xy,  G = E/(2(1+nu)),  de_zz = -nu/(1-nu) (de_xx + de_yy)
+    """
+    e, nu = constants
+    plate = e / (1 - nu * nu)
+    g = e / (2 * (1 + nu))
+    return (
+        sxx + plate * (dexx + nu * deyy),
+        syy + plate * (deyy + nu * dexx),
+        sxy + g * dexy,
+        syz + g * deyz,
+        szx + g * dezx,
+        -nu / (1 - nu) * (dexx + deyy),
+    )

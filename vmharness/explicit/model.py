@@ -1,0 +1,109 @@
+"""A deck as arrays over nodes, forces and constraints: what the time loop steps."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vmharness import dropins
+from vmharness.deck import Deck, DeckError, Entry
+from vmharness.deck.keywords.control_termination import CONTROL_TERMINATION
+from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
+from vmharness.deck.keywords.node import NODE
+from vmharness.explicit.constraint import Constraint
+from vmharness.explicit.force import Force
+from vmharness.explicit.state import Array, State
+
+# Folders whose modules each add to the model by `build(deck, model)`. Supports come last: they overrule velocities.
+PARTS = ("elements", "contacts", "loads", "initial", "constraints")
+
+
+@dataclass
+class Model:
+    """Nodes with mass, what pushes on them, and what rules their motion; consistent units."""
+
+    ids: NDArray[np.int64]  # (n,) node numbers of the deck, by row of the state's arrays
+    x0: Array  # (n, 3) initial coordinates
+    state: State
+    end_time: float
+    end_cycle: int
+    step_factor: float  # TSSFAC
+    rows: dict[int, int]  # node number -> row
+    dtmin: float = 0.0  # the run ends with an error below this fraction of its first step
+    forces: list[Force] = field(default_factory=list)
+    constraints: list[Constraint] = field(default_factory=list)
+    inverse_mass: Array = field(default_factory=lambda: np.zeros(0))  # (n,), 0 where a node has none
+    inverse_inertia: Array = field(default_factory=lambda: np.zeros(0))
+
+    def row(self, entry: Entry, name: str, nid: int, index: int | None = None) -> int:
+        """The row of node `nid`; raises DeckError naming the card and field that refer to it."""
+        try:
+            return self.rows[int(nid)]
+        except KeyError:
+            raise entry.error(name, f"no *NODE {nid}", index) from None
+
+    def add_mass(self, rows: NDArray[np.intp], mass: Array, inertia: Array | float = 0.0) -> None:
+        """Lump `mass` (m,) and `inertia` onto nodes; a row may come several times."""
+        np.add.at(self.state.mass, rows, mass)
+        np.add.at(self.state.inertia, rows, inertia)
+
+    def wildest(self) -> str:
+        """Which node is accelerated most, or beyond all numbers."""
+        largest = np.abs(np.hstack([self.state.a, self.state.alpha])).max(axis=1)
+        return f"first seen at node {self.ids[np.argmax(np.where(np.isnan(largest), np.inf, largest))]}"
+
+    def controlling(self) -> str:
+        """Which force sets the time step."""
+        return f"set by {min(self.forces, key=lambda force: force.stable_step()).name}" if self.forces else ""
+
+
+def build(deck: Deck) -> Model:
+    """The model of a deck; raises DeckError for what cannot be built, or could move without having mass."""
+    model = _nodes(deck)
+    for part in PARTS:
+        for module in dropins.modules(f"vmharness.explicit.{part}"):
+            module.build(deck, model)
+    _check_masses(deck, model)
+    s = model.state
+    model.inverse_mass = np.divide(1.0, s.mass, out=np.zeros_like(s.mass), where=s.mass > 0.0)
+    model.inverse_inertia = np.divide(1.0, s.inertia, out=np.zeros_like(s.inertia), where=s.inertia > 0.0)
+    return model
+
+
+def _nodes(deck: Deck) -> Model:
+    tables = deck.all(NODE)
+    if not tables:
+        raise DeckError("no *NODE in the deck", str(deck.path.name), 1)
+    ids = np.concatenate([table.nid for table in tables])
+    x = np.concatenate([np.column_stack([table.x, table.y, table.z]) for table in tables])
+    n = ids.size
+    state = State(x.copy(), np.zeros((n, 3)), np.zeros((n, 3)), np.zeros(n), np.zeros(n))
+    termination = deck.one(CONTROL_TERMINATION)
+    timestep = deck.first(CONTROL_TIMESTEP)
+    return Model(
+        ids=ids,
+        x0=x,
+        state=state,
+        end_time=termination.endtim,
+        end_cycle=termination.endcyc or np.iinfo(np.int64).max,
+        step_factor=timestep.tssfac if timestep else 0.9,
+        dtmin=termination.dtmin,
+        rows={int(nid): row for row, nid in enumerate(ids)},
+    )
+
+
+def _check_masses(deck: Deck, model: Model) -> None:
+    """A node that could move, but has no mass, would move with infinite acceleration."""
+    held = np.zeros((model.ids.size, 6), bool)
+    for constraint in model.constraints:
+        held |= constraint.fixed
+    loose = (model.state.mass <= 0.0) & ~held[:, :3].all(axis=1)
+    if not loose.any():
+        return
+    nid = model.ids[np.flatnonzero(loose)[0]]
+    for table in deck.all(NODE):
+        for row in np.flatnonzero(table.nid == nid):
+            others = f" ({loose.sum()} such nodes)" if loose.sum() > 1 else ""
+            raise table.error(
+                "nid", f"a free node without mass{others}; give it mass, or support it", int(row)
+            )

@@ -1,0 +1,95 @@
+"""Probes: what can be read off a running model, every cycle, as functions of no argument."""
+
+from collections.abc import Callable
+
+from vmharness.explicit import energy
+from vmharness.explicit.constraint import Constraint
+from vmharness.explicit.constraints.spc import Supports
+from vmharness.explicit.contacts.nodes_to_surface import NodesToSurface
+from vmharness.explicit.force import Force
+from vmharness.explicit.model import Model
+from vmharness.explicit.state import Array
+
+Probe = Callable[[], float]
+
+AXES = {"x": 0, "y": 1, "z": 2}
+
+
+class ProbeError(ValueError):
+    """A quantity was asked for that the model does not have."""
+
+
+def node(model: Model, nid: int, component: str) -> Probe:
+    """A component of the motion of a node at t_n: `z-displacement`, `x-velocity`, `y-acceleration`, `z-coordinate`."""
+    if nid not in model.rows:
+        raise ProbeError(f"no node {nid} in the deck")
+    row, (axis, quantity) = model.rows[nid], _split(component)
+    s, place = model.state, (row, axis)
+    x0 = float(model.x0[place])
+    probes: dict[str, Probe] = {
+        "displacement": lambda: s.x[place] - x0,
+        "coordinate": lambda: s.x[place],
+        "velocity": lambda: s.v[place] + 0.5 * s.dt * s.a[place],  # v_{n-1/2} -> v_n
+        "acceleration": lambda: s.a[place],
+    }
+    return _choose(probes, quantity, "of a node")
+
+
+def contact(model: Model, number: int, component: str) -> Probe:
+    """A component of the resultant of a contact on its tracked nodes: `z-force`."""
+    contacts = [force for force in model.forces if isinstance(force, NodesToSurface)]
+    if not 1 <= number <= len(contacts):
+        raise ProbeError(f"no contact {number}; the deck has {len(contacts)}")
+    axis, quantity = _split(component)
+    force = contacts[number - 1].force
+    return _choose({"force": lambda: force[axis]}, quantity, "of a contact")
+
+
+def support(model: Model, component: str) -> Probe:
+    """A component of the sum of all reactions of supports: `z-force`."""
+    supports = [item for item in model.constraints if isinstance(item, Supports)]
+    if not supports:
+        raise ProbeError("no support in the deck")
+    axis, quantity = _split(component)
+    total = supports[0].total  # one constraint holds all supports of a deck
+    return _choose({"force": lambda: total[axis]}, quantity, "of a support")
+
+
+def energies(model: Model, name: str) -> Probe:
+    """An energy of the whole model: kinetic, total, ratio, or any that a force or constraint accounts for."""
+    s = model.state
+    items: list[Force | Constraint] = [*model.forces, *model.constraints]
+    work = _sum(energy.accounts(items, "external work"))
+    stored = _sum([account for kind in energy.STORED for account in energy.accounts(items, kind)])
+    initial = energy.kinetic(s)
+
+    def total() -> float:
+        return energy.kinetic(s) + stored()
+
+    probes: dict[str, Probe] = {
+        "kinetic": lambda: energy.kinetic(s),
+        "total": total,
+        "ratio": lambda: energy.ratio(total(), initial, work()),
+    }
+    for kind in (*energy.STORED, "external work"):
+        probes[kind] = _sum(energy.accounts(items, kind))
+    return _choose(probes, name, "among the energies")
+
+
+def _sum(accounts: list[Array]) -> Probe:
+    """The sum of accounts (1,); most energies have one, which is then read without a detour."""
+    return accounts[0].item if len(accounts) == 1 else lambda: sum([account.item() for account in accounts])
+
+
+def _split(component: str) -> tuple[int, str]:
+    axis, _, quantity = component.partition("-")
+    if axis not in AXES or not quantity:
+        raise ProbeError(f"component {component!r} is not of the form z-displacement")
+    return AXES[axis], quantity
+
+
+def _choose(probes: dict[str, Probe], name: str, of: str) -> Probe:
+    try:
+        return probes[name]
+    except KeyError:
+        raise ProbeError(f"no {name!r} {of}; there are: {', '.join(probes)}") from None

@@ -1,0 +1,46 @@
+"""An equation of the report: symbol = formula = formula with values = value unit."""
+
+from collections.abc import Mapping
+
+from vmharness.formula import latex, mathml
+from vmharness.formula.formula import Formula
+from vmharness.formula.notation import Notation
+from vmharness.formula.tree import Name
+from vmharness.formula.typeset import number, replaced, typeset
+from vmharness.formula.unit import Unit
+from vmharness.formula.unit_typeset import unit_in
+
+NOTATIONS: Mapping[str, Notation] = {"latex": latex, "mathml": mathml}
+
+
+def equation(
+    name: str,
+    formula: Formula,
+    value: str = "",
+    unit: Unit | None = None,
+    *,
+    values: Mapping[str, str] | None = None,
+    symbols: Mapping[str, str] | None = None,
+    notation: str = "latex",
+) -> str:
+    r"""One line of theory, as LaTeX without its dollars or as a whole <math> element.
+
+    `value` is the text of the result, `values` those of the names, for a step with numbers in their places.
+    A step that repeats the one before it is left out.
+
+    >>> print(equation("t_1", Formula("sqrt(2*h/g)"), "0.072", Unit("s"), values={"h": "1", "g": "386"}))
+    t_{1} = \sqrt{\frac{2 \thinspace h}{g}} = \sqrt{\frac{2 \cdot 1}{386}} = 0.072 \thinspace \mathrm{s}
+    """
+    to, tree = NOTATIONS[notation], formula.tree
+    steps = [
+        replaced(Name(name), None, symbols),
+        replaced(tree, None, symbols),
+        replaced(tree, values, symbols),
+    ]
+    if value:
+        steps.append(number(value))
+    new = [typeset(step, to) for before, step in zip([None, *steps], steps, strict=False) if step != before]
+    if value and unit and unit.powers():
+        new[-1] = to.row(new[-1], to.sign("times"), unit_in(unit.above, unit.below, to))
+    line = [part for step in new for part in (to.sign("=="), step)][1:]
+    return to.display(to.row(*line))

@@ -1,0 +1,96 @@
+"""A history: named channels over time, the same for every solver."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+Array = NDArray[np.float64]
+
+
+class HistoryError(ValueError):
+    """Channels and time do not fit together, or a channel is missing."""
+
+
+@dataclass(frozen=True)
+class History:
+    """Channels over time, all sampled at the same instants, in the consistent units of the case.
+
+    `time` is (n,) and increases; every channel is (n,). Raises HistoryError where that does not hold.
+    """
+
+    time: Array
+    channels: Mapping[str, Array]
+
+    def __post_init__(self) -> None:
+        if np.any(np.diff(self.time) <= 0.0):
+            raise HistoryError("time does not increase from sample to sample")
+        for name, values in self.channels.items():
+            if values.shape != self.time.shape:
+                raise HistoryError(f"channel {name} has {values.size} samples, time has {self.time.size}")
+
+    def __getitem__(self, name: str) -> Array:
+        """The samples of channel `name`, (n,); `time` is a channel too."""
+        if name == "time":
+            return self.time
+        try:
+            return self.channels[name]
+        except KeyError:
+            raise HistoryError(f"no channel {name}; recorded: {', '.join(self.channels)}") from None
+
+    def __len__(self) -> int:
+        return self.time.size
+
+    def at(self, name: str, t: ArrayLike) -> Array:
+        """Channel `name` at the times `t` (m,) within the run, by cubic Hermite interpolation.
+
+        Slopes are second-order differences of the samples, so that the error is O(dt^3), and O(dt^2) times the jump
+        of the second derivative in a step that contains one.
+        """
+        from scipy.interpolate import CubicHermiteSpline
+
+        t = np.asarray(t, float)
+        values = self[name]
+        if not (t.size and self.time[0] <= t.min() and t.max() <= self.time[-1]):
+            raise HistoryError(f"{name} is asked for outside the run, {self.time[0]:g} to {self.time[-1]:g}")
+        # Slopes need two neighbours on either side; the rest of a long history is not touched.
+        first = max(int(np.searchsorted(self.time, t.min())) - 3, 0)
+        last = int(np.searchsorted(self.time, t.max())) + 4
+        time, values = self.time[first:last], values[first:last]
+        slopes = np.gradient(values, time, edge_order=2 if time.size > 2 else 1)
+        return np.asarray(CubicHermiteSpline(time, values, slopes)(t))
+
+    def thinned(self, step: int) -> "History":
+        """Every `step`-th sample, counted from the first."""
+        return History(self.time[::step], {name: values[::step] for name, values in self.channels.items()})
+
+    def to_frame(self) -> "pd.DataFrame":
+        """A pandas frame: one column a channel, indexed by time."""
+        import pandas as pd
+
+        return pd.DataFrame(dict(self.channels), index=pd.Index(self.time, name="time"))
+
+    @classmethod
+    def from_frame(cls, frame: "pd.DataFrame") -> "History":
+        """The history in a frame made as `to_frame` does."""
+        columns = {str(name): frame[name].to_numpy(float) for name in frame.columns}
+        return cls(frame.index.to_numpy(float), columns)
+
+    def to_csv(self, path: Path) -> None:
+        """Write all samples with every digit they have, so that `from_csv` gives the same numbers."""
+        table = np.column_stack([self.time, *self.channels.values()])
+        np.savetxt(path, table, fmt="%.17g", delimiter=",", header=",".join(["time", *self.channels]), comments="")
+
+    @classmethod
+    def from_csv(cls, path: Path) -> "History":
+        """Read what `to_csv` wrote: a line of names, the first of them time, and a line a sample."""
+        with path.open() as lines:
+            names = lines.readline().strip().split(",")
+            table = np.loadtxt(lines, delimiter=",", ndmin=2)
+        return cls(table[:, 0], dict(zip(names[1:], table[:, 1:].T, strict=True)))

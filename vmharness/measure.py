@@ -1,0 +1,31 @@
+"""Declared events and channels of a case -> numbers from a history."""
+
+from vmharness.case import Case
+from vmharness.events import Event, EventError, crossings, find, minima, onsets
+from vmharness.history import History, HistoryError
+
+
+def find_event(case: Case, name: str, history: History) -> Event | str:
+    """When the declared event happened, or a sentence that says why it cannot be found."""
+    event = case.file.events[name]
+    try:
+        if event.onset_of:
+            return find(onsets, history.time, history[event.onset_of], event.times, event.pick)
+        if event.minimum_of:
+            return find(minima, history.time, history[event.minimum_of], event.times, event.pick)
+        if event.maximum_of:
+            return find(minima, history.time, -history[event.maximum_of], event.times, event.pick)
+        assert event.crossing_of is not None
+        assert event.direction is not None
+        level, direction = case.evaluate(f"level {name}"), event.direction
+        values = history[event.crossing_of]
+        return find(
+            lambda t, y: crossings(t, y, level, direction), history.time, values, event.times, event.pick
+        )
+    except (EventError, HistoryError) as error:
+        return f"{event.title}: {error}"
+
+
+def value_at(history: History, channel: str, t: float) -> float:
+    """The channel between samples, in consistent units; `time` is t itself."""
+    return t if channel == "time" else float(history.at(channel, [t])[0])

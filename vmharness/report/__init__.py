@@ -1,0 +1,46 @@
+"""The manual: pages of cases, an index over them, and results for machines."""
+
+from pathlib import Path
+
+from vmharness import dropins
+from vmharness.report import atomic
+from vmharness.result import CaseRun
+
+PAGES, FILES = "vmharness.report.pages", "vmharness.report.files"
+
+
+def write_case(run: CaseRun, folder: Path, volatile: bool = True) -> list[Path]:
+    """Write the page of a case into `folder`/<id> in every format of the manual, with its figures.
+
+    All is rendered before any of it is written. What varies from run to run (machine, versions, date, seconds) is
+    in the HTML alone, and left out of it too unless `volatile`. Raises OSError.
+    """
+    from vmharness.report.page import page
+    from vmharness.report.prose import pictures
+
+    content, to = page(run, volatile), folder / run.case.id
+    texts = {to / format.FILE: format.case(content, to) for format in dropins.modules(PAGES)}
+    for figure in filter(None, [content.model, *content.histories]):
+        texts[to / f"{figure.name}.svg"] = figure.svg
+    for name, picture in pictures(run.case).items():
+        texts[to / name] = picture.read_text(encoding="utf-8")
+    return [atomic.write(path, text) for path, text in texts.items()]
+
+
+def write_index(runs: list[CaseRun], folder: Path) -> list[Path]:
+    """Write the index over `runs` into `folder` in every format of the manual; raises OSError."""
+    from vmharness.report.index import index
+
+    content = index(runs)
+    texts = {folder / format.FILE: format.index(content) for format in dropins.modules(PAGES)}
+    return [atomic.write(path, text) for path, text in texts.items()]
+
+
+def formats() -> list[str]:
+    """The formats for machines, by name: each a file that is written where it is asked for."""
+    return dropins.names(FILES)
+
+
+def render(name: str, runs: list[CaseRun]) -> str:
+    """All runs in the format `name` of `formats()`."""
+    return str(dropins.module(FILES, name).render(runs))

@@ -1,0 +1,88 @@
+"""Computed history and theory on one grid of time, ready to be drawn."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import groupby
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vmharness.case import Case
+from vmharness.case.format import as_line
+from vmharness.formula import Unit
+from vmharness.history import History
+from vmharness.result import CaseRun
+
+Array = NDArray[np.float64]
+POINTS = 361
+
+
+@dataclass(frozen=True)
+class Curve:
+    """One channel in the unit that it is drawn in: computed and theory (n,) at the same times (n,)."""
+
+    channel: str
+    label: str
+    unit: str
+    time: Array
+    computed: Array
+    theory: Array
+    residual: Array
+    allowed: Mapping[str, tuple[float, float]]  # by key of a result: time of its event, allowed difference
+
+
+def curves(run: CaseRun) -> list[list[Curve]]:
+    """The channels that have theory over time, those of one unit together: a list for each figure."""
+    history = run.solution.history
+    if history is None or len(history) < 3:
+        return []
+    all_ = [_curve(run, history, name) for name in run.case.file.curves]
+    return [list(group) for _, group in groupby(all_, key=lambda curve: curve.unit)]
+
+
+def _curve(run: CaseRun, history: History, name: str) -> Curve:
+    line = as_line(run.case.file.curves[name])
+    unit = _unit(run.case, name)
+    factor = run.case.units.factor(Unit(unit))
+    time = np.linspace(history.time[0], history.time[-1], POINTS)
+    computed, theory = history.at(name, time) / factor, run.case.curve(name, time) / factor
+    size = float(np.abs(theory).max())
+    allowed = _allowed(run, name)
+    # Differences far below what is allowed are round-off; drawn, they would be noise that no two machines share.
+    finest = max(1e-3 * min((difference for _, difference in allowed.values()), default=0.0), 1e-9 * size)
+    return Curve(
+        channel=name,
+        label=line.text or name,
+        unit=unit,
+        time=time,
+        computed=_rounded(computed, 1e-6 * size),
+        theory=_rounded(theory, 1e-6 * size),
+        residual=_rounded(computed - theory, finest),
+        allowed=allowed,
+    )
+
+
+def _unit(case: Case, name: str) -> str:
+    """The unit to draw a curve in: the declared one, or the consistent one."""
+    line = as_line(case.file.curves[name])
+    if line.unit is not None:
+        return line.unit
+    time = Unit(case.file.units.time).dimension
+    return case.units.name(case.formulas[f"curve {name}"].dimension({**case.dimensions, "t": time}))
+
+
+def _allowed(run: CaseRun, channel: str) -> dict[str, tuple[float, float]]:
+    """When and how far the channel may differ from theory: the tolerances of the results that are read from it."""
+    allowed = {}
+    for row in run.rows:
+        result = run.case.result(row.key)
+        event = run.events.get(result.event)
+        if result.channel == channel and event is not None and not isinstance(event, str):
+            difference = row.comparison.tolerance.allowed(row.comparison.target)
+            allowed[row.key] = (event.time, difference)
+    return allowed
+
+
+def _rounded(values: Array, step: float) -> Array:
+    """Multiples of `step`, without negative zeros."""
+    return np.round(values / step) * step + 0.0 if step > 0.0 else values

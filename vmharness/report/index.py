@@ -1,0 +1,48 @@
+"""The index of the manual: all cases of a run, the worst first."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from vmharness.compare import Verdict
+from vmharness.report.page import worst_row
+from vmharness.report.solver import short_name
+from vmharness.result import CaseRun, Row
+
+ORDER = {Verdict.ERROR: 0, Verdict.FAIL: 1, Verdict.PASS: 2}
+
+
+@dataclass(frozen=True)
+class Line:
+    """A case in the index."""
+
+    run: CaseRun
+    worst: Row | None
+    passed: int  # how many of its results
+
+
+@dataclass(frozen=True)
+class Index:
+    """All that a format needs to write the index."""
+
+    solvers: Mapping[str, list[Line]]  # by solver, without its version: errors, failures, then the thinnest margin
+    coverage: Mapping[str, list[CaseRun]]  # by tag
+    counts: Mapping[Verdict, int]
+
+
+def index(runs: list[CaseRun]) -> Index:
+    """Order the runs for the index."""
+    solvers: dict[str, list[Line]] = {}
+    coverage: dict[str, list[CaseRun]] = {}
+    for run in sorted(runs, key=_badness):
+        passed = sum(row.verdict is Verdict.PASS for row in run.rows)
+        solvers.setdefault(short_name(run.solution.solver), []).append(Line(run, worst_row(run), passed))
+    for run in sorted(runs, key=lambda run: run.case.id):
+        for tag in run.case.file.tags:
+            coverage.setdefault(tag, []).append(run)
+    counts = {verdict: sum(run.verdict is verdict for run in runs) for verdict in Verdict}
+    return Index(solvers, dict(sorted(coverage.items())), counts)
+
+
+def _badness(run: CaseRun) -> tuple[int, float, str]:
+    row = worst_row(run)
+    return ORDER[run.verdict], -(row.comparison.share or 0.0) if row else 0.0, run.case.id

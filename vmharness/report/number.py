@@ -1,0 +1,70 @@
+"""Numbers as the report prints them: a fixed number of digits, no negative zero, a dash for what is not there."""
+
+import math
+import re
+
+DASH = "–"
+
+
+def significant(value: float | None) -> str:
+    """Six significant digits, trailing zeros kept, as in a table.
+
+    >>> significant(-1.0), significant(0.07198157), significant(3e7), significant(-0.0), significant(None)
+    ('-1.00000', '0.0719816', '3.00000e7', '0', '–')
+    """
+    if value is None or not math.isfinite(value):
+        return DASH
+    return _tidy(f"{value:#.6g}").rstrip(".") if value else "0"
+
+
+def short(value: float | None) -> str:
+    """Up to six significant digits, without trailing zeros, as in a formula.
+
+    >>> short(193.0), short(0.09777499), short(2.5e7), short(-0.0)
+    ('193', '0.097775', '2.5e7', '0')
+    """
+    if value is None or not math.isfinite(value):
+        return DASH
+    return _tidy(f"{value:.6g}") if value else "0"
+
+
+def given(value: float) -> str:
+    """All the digits of a datum, as few as say it exactly.
+
+    >>> given(0.5), given(386.0), given(1973.8886), given(3.0e7), given(7.3e-4)
+    ('0.5', '386', '1973.8886', '3e7', '0.00073')
+    """
+    digits = repr(float(value)).removesuffix(".0")
+    if re.fullmatch(r"-?\d{6,}", digits) and digits.endswith("000"):
+        mantissa = digits.lstrip("-").rstrip("0")
+        point = f".{mantissa[1:]}" if len(mantissa) > 1 else ""
+        digits = f"{'-' if value < 0 else ''}{mantissa[0]}{point}e{len(digits.lstrip('-')) - 1}"
+    return _tidy(digits)
+
+
+def decimals(value: float | None, places: int = 4) -> str:
+    """A fixed number of decimals, as for percentages.
+
+    >>> decimals(-0.4429), decimals(-1e-9), decimals(0.25, 2), decimals(None)
+    ('-0.4429', '0.0000', '0.25', '–')
+    """
+    if value is None or not math.isfinite(value):
+        return DASH
+    text = f"{value:.{places}f}"
+    return text.removeprefix("-") if float(text) == 0.0 else text
+
+
+def share(value: float | None) -> str:
+    """A share of a tolerance in whole percent.
+
+    >>> share(0.3391), share(0.0004), share(12.0), share(None)
+    ('34 %', '<1 %', '1200 %', '–')
+    """
+    if value is None or not math.isfinite(value):
+        return DASH
+    return "<1 %" if value < 0.005 else f"{100.0 * value:.0f} %"
+
+
+def _tidy(text: str) -> str:
+    """1e+07 as 1e7."""
+    return re.sub(r"e([-+])0*(\d+)$", lambda found: f"e{found[1].strip('+')}{found[2]}", text)

@@ -1,0 +1,176 @@
+"""The page of a case: what every format of it shows, with nothing of how it is written."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import groupby
+
+from vmharness.case import Case, CaseError
+from vmharness.case.format import Budget, Fault, Given, as_line
+from vmharness.case.change import changed_value
+from vmharness.formula import Formula, Unit
+from vmharness.report.figures import histories, model
+from vmharness.report.figures.curves import Curve, curves
+from vmharness.report.prose import sections
+from vmharness.report.solver import short_name
+from vmharness.result import CaseRun, Row
+
+
+@dataclass(frozen=True)
+class Datum:
+    """A given number."""
+
+    name: str
+    value: float  # in its own unit
+    unit: str
+    text: str
+
+
+@dataclass(frozen=True)
+class TheoryLine:
+    """A line of the theory; the value is None for a curve over time."""
+
+    name: str
+    text: str
+    formula: Formula
+    value: float | None
+    unit: Unit
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A drawing: the stem of its file, its caption, its <svg> element."""
+
+    name: str
+    caption: str
+    svg: str
+
+
+@dataclass(frozen=True)
+class PlantedFault:
+    """A declared fault, and how far theory says that it moves each result that must fail."""
+
+    fault: Fault
+    moves: Mapping[str, tuple[float, float] | None]  # by key: change in percent, and in tolerances
+
+
+@dataclass(frozen=True)
+class Page:
+    """All that a format needs to write the page of one case."""
+
+    run: CaseRun
+    solver: str  # without its version, which would change the page with every release
+    prose: Mapping[str, str]  # Markdown, by title of the section
+    data: Mapping[str, list[Datum]]  # by column of the data table
+    theory: list[TheoryLine]
+    curves: list[TheoryLine]
+    groups: list[tuple[str, list[Row]]]  # rows of the results by title of their event
+    budget: list[tuple[Budget, Mapping[str, float]]]  # each line, with its fractions of the targets by key
+    faults: list[PlantedFault]
+    model: Figure | None
+    histories: list[Figure]
+    volatile: bool  # whether what varies from run to run may be shown
+
+
+def page(run: CaseRun, volatile: bool = True) -> Page:
+    """Everything on the page of a run; figures are drawn here, once for all formats."""
+    case, solver = run.case, short_name(run.solution.solver)
+    return Page(
+        run=run,
+        solver=solver,
+        prose=sections(case),
+        data=_data(case),
+        theory=_theory(case),
+        curves=_curves(case),
+        groups=[(event, list(rows)) for event, rows in groupby(run.rows, key=lambda row: row.event)],
+        budget=_budget(case),
+        faults=[_fault(case, fault) for fault in case.file.faults],
+        model=_model(run),
+        histories=_histories(run, solver),
+        volatile=volatile,
+    )
+
+
+def worst_row(run: CaseRun) -> Row | None:
+    """The result that uses most of its tolerance."""
+    judged = [row for row in run.rows if row.comparison.share is not None]
+    return max(judged, key=lambda row: row.comparison.share or 0.0, default=None)
+
+
+def _data(case: Case) -> dict[str, list[Datum]]:
+    columns: dict[str, list[Datum]] = {}
+    for name, given in case.file.given.items():
+        columns.setdefault(given.group, []).append(_datum(case, name, given))
+    return columns
+
+
+def _datum(case: Case, name: str, given: Given) -> Datum:
+    # Converted only where the value is not the file's: 1973.92 must not come back as 1973.9199999.
+    value = case.given[name] / case.units.factor(Unit(given.unit)) if name in case.changed else given.value
+    return Datum(name, value, given.unit, given.text)
+
+
+def _theory(case: Case) -> list[TheoryLine]:
+    lines = []
+    for name, line in case.file.theory.items():
+        line = as_line(line)
+        unit = Unit(case.units.name(case.dimensions[name]) if line.unit is None else line.unit)
+        value = case.theory[name] / case.units.factor(unit)
+        lines.append(TheoryLine(name, line.text, case.formulas[name], value, unit))
+    return lines
+
+
+def _curves(case: Case) -> list[TheoryLine]:
+    return [
+        TheoryLine(name, as_line(line).text, case.formulas[f"curve {name}"], None, Unit(""))
+        for name, line in case.file.curves.items()
+    ]
+
+
+def _budget(case: Case) -> list[tuple[Budget, Mapping[str, float]]]:
+    return [
+        (line, {key: case.evaluate(f"budget {number} {key}") for key in line.relative})
+        for number, line in enumerate(case.file.budget, 1)
+    ]
+
+
+def _fault(case: Case, fault: Fault) -> PlantedFault:
+    """What theory says of the faulty deck: its data changed, against the sound targets and their tolerances."""
+    try:
+        faulty = case.with_given({name: changed_value(case.given[name], by) for name, by in fault.change.items()})
+    except CaseError:
+        return PlantedFault(fault, dict.fromkeys(fault.must_fail))
+    return PlantedFault(fault, {key: _moved(case, faulty, key) for key in fault.must_fail})
+
+
+def _moved(case: Case, faulty: Case, key: str) -> tuple[float, float] | None:
+    target, tolerance = case.target(key), case.result(key).tolerance
+    factor = case.units.factor(Unit(case.result(key).unit))
+    allowed = tolerance.absolute * factor + tolerance.relative * abs(target)
+    if not target or not allowed:
+        return None
+    change = faulty.target(key) - target
+    return 100.0 * change / target, abs(change) / allowed
+
+
+def _model(run: CaseRun) -> Figure | None:
+    if run.solution.view is None:
+        return None
+    drawing = model.draw(run.solution.view, run.case.id, _acceleration(run.case))
+    return Figure("model", f"The model as read from {run.case.file.deck.file}", drawing)
+
+
+def _acceleration(case: Case) -> str:
+    """The consistent unit of acceleration."""
+    return case.units.name(Unit(f"{case.file.units.length}/{case.file.units.time}2").dimension)
+
+
+def _histories(run: CaseRun, solver: str) -> list[Figure]:
+    return [_history(run, together, solver) for together in curves(run)]
+
+
+def _history(run: CaseRun, together: list[Curve], solver: str) -> Figure:
+    name = "-".join(["history", *(curve.channel for curve in together)])
+    caption = f"{histories.quantity(run, together)} over time: {solver} (lines), theory (hollow marks), and their difference"
+    if any(curve.allowed for curve in together):
+        caption += ", with the tolerances of the results at their events"
+    return Figure(name, caption, histories.draw(run, name, together, solver))

@@ -1,0 +1,109 @@
+"""The manual as HTML: each page one file that opens offline, needs no script, and prints."""
+
+import datetime
+import platform
+from pathlib import Path
+
+from vmharness import __version__
+from vmharness.events import Event
+from vmharness.formula import Unit
+from vmharness.report import equations, number, prose, wording
+from vmharness.report.index import Index
+from vmharness.report.page import Page
+from vmharness.report.templates import render
+from vmharness.result import CaseRun
+
+FILE = "index.html"
+PACKAGES = ("numpy", "numba", "scipy", "matplotlib")
+
+
+def case(page: Page, folder: Path) -> str:
+    """The page of a case; nothing in it refers to `folder`, for it must stand alone."""
+    case = page.run.case
+    pictures = prose.pictures(case)
+    return render(
+        "case.html.j2",
+        _filters(),
+        page=page,
+        run=page.run,
+        file=case.file,
+        inputs=[
+            (name, prose.data_link(case.folder / name, "text/plain"))
+            for name in (case.file.deck.file, *case.file.files, "case.toml")
+        ],
+        prose={title: prose.html(text, pictures) for title, text in page.prose.items()},
+        theory=lambda line: equations.theory(line, page, "mathml"),
+        datum=lambda datum: equations.datum(datum, "mathml").replace(' display="block"', ""),
+        wording=wording,
+        provenance=provenance(page.run) if page.volatile else {},
+    )
+
+
+def index(index: Index) -> str:
+    """The index; it links to the pages of the cases beside it."""
+    return render("index.html.j2", _filters(), index=index, wording=wording)
+
+
+def provenance(run: CaseRun) -> dict[str, str]:
+    """What this very run was made with: it differs from run to run and from machine to machine."""
+    solution = run.solution
+    return {
+        "Solver": solution.solver,
+        **solution.facts,
+        "Cycles": str(solution.cycles),
+        **_events(run),
+        "Time in the solver": f"{solution.seconds:.2f} s, of which {solution.seconds_loop:.2f} s in the time loop",
+        "vmharness": __version__,
+        "Python": f"{platform.python_version()} ({platform.python_implementation()})",
+        **_versions(),
+        "System": f"{platform.system()} {platform.release()}",
+        "Processor": _processor(),
+        "Machine": platform.node(),
+        "Date": datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d %H:%M UTC"),
+    }
+
+
+def _events(run: CaseRun) -> dict[str, str]:
+    """When each event was found, and how far the sampling leaves that open."""
+    unit = run.case.file.units.time
+    return {
+        run.case.file.events[name].title: f"{event.time:.9g} {unit}, sampling leaves {event.uncertainty:.1g} {unit} open"
+        for name, event in run.events.items()
+        if isinstance(event, Event)
+    }
+
+
+def _versions() -> dict[str, str]:
+    from importlib.metadata import PackageNotFoundError, version
+
+    found = {}
+    for package in PACKAGES:
+        try:
+            found[package] = version(package)
+        except PackageNotFoundError:
+            found[package] = "not installed"
+    return found
+
+
+def _processor() -> str:
+    """The model of the processor; platform.processor() is empty on most Linux."""
+    path = Path("/proc/cpuinfo")
+    lines = path.read_text(errors="replace").splitlines() if path.is_file() else []
+    models = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
+    return models[0] if models else platform.processor() or platform.machine()
+
+
+def _filters() -> dict[str, object]:
+    return {
+        "significant": lambda value: _minus(number.significant(value)),
+        "short": lambda value: _minus(number.short(value)),
+        "decimals": lambda value, places=4: _minus(number.decimals(value, places)),
+        "minus": _minus,
+        "share": number.share,
+        "unit": lambda text: Unit(text).html() or "–",
+    }
+
+
+def _minus(text: str) -> str:
+    """With the minus sign that is as wide as a digit."""
+    return text.replace("-", "−")

@@ -1,0 +1,57 @@
+"""The manual as Markdown that a code host renders: the same bytes wherever the same results are written."""
+
+import os
+from pathlib import Path
+
+from vmharness.report import equations, number, wording
+from vmharness.report.index import Index
+from vmharness.report.page import Page
+from vmharness.report.templates import render
+
+FILE = "README.md"
+
+
+def case(page: Page, folder: Path) -> str:
+    """The page of a case, to lie in `folder` beside its figures."""
+    return render(
+        "case.md.j2",
+        _filters(),
+        page=page,
+        run=page.run,
+        file=page.run.case.file,
+        inputs=[
+            (name, _relative(page.run.case.folder / name, folder))
+            for name in (page.run.case.file.deck.file, *page.run.case.file.files, "case.toml")
+        ],
+        theory=lambda line: equations.theory(line, page, "latex"),
+        datum=lambda datum: equations.datum(datum, "latex"),
+        wording=wording,
+    )
+
+
+def index(index: Index) -> str:
+    """The index, to lie in the folder of the manual."""
+    return render("index.md.j2", _filters(), index=index, wording=wording)
+
+
+def _filters() -> dict[str, object]:
+    return {
+        "significant": number.significant,
+        "short": number.short,
+        "decimals": number.decimals,
+        "share": number.share,
+        "cell": _cell,
+    }
+
+
+def _cell(text: str) -> str:
+    """Text that stays in its cell of a table."""
+    return " ".join(str(text).replace("|", "\\|").split())
+
+
+def _relative(path: Path, folder: Path) -> str:
+    """A link from `folder`, with the slashes of links."""
+    try:
+        return Path(os.path.relpath(path, folder)).as_posix()
+    except ValueError:  # another drive
+        return path.resolve().as_uri()

@@ -1,0 +1,50 @@
+"""The prose of a case: its README.md, taken apart by section, and turned into HTML."""
+
+import base64
+import re
+from pathlib import Path
+
+from vmharness.case import Case
+
+FILE = "README.md"
+KINDS = {".svg": "image/svg+xml", ".png": "image/png"}
+_IMAGE = re.compile(r"!\[[^\]]*\]\(([^)\s]+)\)")
+
+
+def sections(case: Case) -> dict[str, str]:
+    """Markdown of each section, by its title, in order; what stands before the first `## ` is the file's own head."""
+    path = case.folder / FILE
+    text = path.read_text(encoding="utf-8") if path.is_file() else ""
+    parts = re.split(r"^## +(.+?)\s*$", text, flags=re.MULTILINE)
+    return {title: body.strip() for title, body in zip(parts[1::2], parts[2::2], strict=True)}
+
+
+def pictures(case: Case) -> dict[str, Path]:
+    """The pictures of the case's folder that its prose shows, by name; nothing outside the folder."""
+    named = {name for body in sections(case).values() for name in _IMAGE.findall(body)}
+    return {
+        name: case.folder / name
+        for name in sorted(named)
+        if Path(name).name == name and Path(name).suffix in KINDS and (case.folder / name).is_file()
+    }
+
+
+def html(markdown: str, found: dict[str, Path]) -> str:
+    """HTML of a section; pictures are embedded as images, in which no script can run."""
+    from markdown_it import MarkdownIt
+
+    parser = MarkdownIt("commonmark", {"html": False}).enable("table")
+    text = str(parser.render(markdown))
+    return re.sub(r'<p><img src="([^"]*)" alt="([^"]*)" /></p>', lambda tag: _figure(tag[1], tag[2], found), text)
+
+
+def _figure(name: str, caption: str, found: dict[str, Path]) -> str:
+    if name not in found:
+        return f"<p>{caption}</p>"
+    source = data_link(found[name], KINDS[found[name].suffix])
+    return f'<figure><img src="{source}" alt="{caption}"><figcaption>{caption}</figcaption></figure>'
+
+
+def data_link(path: Path, kind: str) -> str:
+    """The content of a file as a link that needs no other file."""
+    return f"data:{kind};base64,{base64.b64encode(path.read_bytes()).decode('ascii')}"

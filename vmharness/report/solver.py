@@ -1,0 +1,12 @@
+"""The name of a solver."""
+
+import re
+
+
+def short_name(solver: str) -> str:
+    """The name without the version.
+
+    >>> short_name("vmharness 0.1.0"), short_name("LS-DYNA"), short_name("")
+    ('vmharness', 'LS-DYNA', 'solver')
+    """
+    return re.sub(r"\s+v?\d\S*$", "", solver) or "solver"

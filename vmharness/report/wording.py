@@ -1,0 +1,52 @@
+"""Sentences that every format of the manual says in the same words."""
+
+from vmharness.compare import Verdict
+from vmharness.report.number import decimals, share
+from vmharness.report.page import PlantedFault, worst_row
+from vmharness.result import CaseRun, Reading
+
+SIGNS = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.ERROR: "!"}
+
+
+def badge(verdict: Verdict) -> str:
+    """The verdict with its sign, so that colour is never needed to tell it.
+
+    >>> badge(Verdict.FAIL)
+    '✗ fail'
+    """
+    return f"{SIGNS[verdict]} {verdict}"
+
+
+def summary(run: CaseRun) -> str:
+    """What there is to say of a run in one line: the reason if it did not pass, else its thinnest margin."""
+    if run.verdict is not Verdict.PASS:
+        return run.reason or "nothing was judged"
+    worst = worst_row(run)
+    line = f"All {len(run.rows)} results lie within their tolerances"
+    return f"{line}; {worst.key} uses the most of its own, {share(worst.comparison.share)}." if worst else f"{line}."
+
+
+def moves(fault: PlantedFault) -> list[tuple[str, str]]:
+    """Each result that must fail, and how far theory says that the fault moves it."""
+    return [
+        (key, f"{decimals(moved[0])} %, {moved[1]:.0f} × tolerance" if moved else "")
+        for key, moved in fault.moves.items()
+    ]
+
+
+def reading_name(run: CaseRun, reading: Reading) -> str:
+    """What was read, and when."""
+    return f"{reading.label} {run.case.file.events[run.case.result(reading.key).event].title.lower()}"
+
+
+def explained(run: CaseRun, column: str) -> str:
+    """How much of a published column its way of reading accounts for."""
+    readings = run.readings[column]
+    rest = [reading_name(run, reading) for reading in readings if not reading.same]
+    if not rest:
+        return f"Read this way, this run prints all {len(readings)} figures of the {column} column."
+    return (
+        f"Read this way, this run prints {len(readings) - len(rest)} of the {len(readings)} figures of the {column} "
+        f"column; their distance from theory comes from the reading, not from a solver. "
+        f"Not explained by it: {', '.join(rest)}."
+    )

@@ -1,0 +1,118 @@
+"""What a run of a case gives: all that a report or a gate needs, and nothing of the solver."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vmharness.case import Case
+from vmharness.compare import Comparison, Verdict, worst
+from vmharness.events import Event
+from vmharness.history import History
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Published:
+    """A value printed elsewhere for a result: its digits, and the error that stands beside it, if any."""
+
+    text: str
+    error_percent: float | None
+
+
+@dataclass(frozen=True)
+class Row:
+    """A row of the manual's table; target, value and allowed difference are in `unit`."""
+
+    key: str
+    label: str
+    event: str  # title of the event, by which rows are grouped
+    unit: str
+    comparison: Comparison
+    uncertainty: (
+        float | None
+    )  # how far sampling leaves the time of the event open, in consistent units of time
+    because: str  # why the tolerance is what it is
+    budget: float | None  # sum of the error budget, as a fraction of the target
+    published: Mapping[str, Published]  # by name of the column
+
+    @property
+    def verdict(self) -> Verdict:
+        """Pass, fail, or error."""
+        return self.comparison.verdict
+
+
+@dataclass(frozen=True)
+class Reading:
+    """A published value beside our history read as that column seems to have been read."""
+
+    key: str
+    label: str
+    unit: str
+    published: str
+    read: float  # at the state that the reading picks
+    at: float  # the time of that state
+    same: bool  # it prints as the published digits
+    target: float
+    other: tuple[float, float] | None = None  # time and value of another reading that the case proposes
+    other_same: bool = False
+
+
+@dataclass(frozen=True)
+class View:
+    """The model as read from the deck, to be drawn; rows are of `x`."""
+
+    ids: NDArray[np.int64]  # (n,)
+    x: Array  # (n, 3)
+    shells: NDArray[np.intp]  # (ne, 4)
+    masses: NDArray[np.intp]  # rows with an *ELEMENT_MASS
+    supports: NDArray[np.intp]  # rows with a fixed degree of freedom
+    gravity: Array  # (3,) acceleration that body loads give at t = 0
+    contacts: tuple[tuple[NDArray[np.intp], NDArray[np.intp]], ...]  # tracked rows (nt,), segments (ns, 4)
+
+
+@dataclass(frozen=True)
+class Solution:
+    """What a solver makes of a deck."""
+
+    solver: str  # name and version
+    history: History | None
+    failure: str = ""  # why the run ended before its end, or did not begin
+    facts: Mapping[str, str] = field(default_factory=dict)  # for the provenance: time step, cycles, ...
+    cycles: int = 0
+    seconds: float = 0.0
+    seconds_loop: float = 0.0
+    notes: tuple[str, ...] = ()  # what was read without effect
+    view: View | None = None
+    resolved_deck: str = ""  # the deck in long format, where its parameters were changed
+
+
+@dataclass(frozen=True)
+class CaseRun:
+    """One case through one solver, judged."""
+
+    case: Case
+    solution: Solution
+    rows: tuple[Row, ...]
+    events: Mapping[str, Event | str]  # when each happened, or why that could not be found
+    readings: Mapping[str, tuple[Reading, ...]]  # by name of the published column
+    deck_sha256: str
+    case_sha256: str
+    seconds: float
+
+    @property
+    def verdict(self) -> Verdict:
+        """The worst of the rows; an error where the solver did not finish."""
+        if self.solution.failure:
+            return Verdict.ERROR
+        return worst([row.verdict for row in self.rows])
+
+    @property
+    def reason(self) -> str:
+        """Why the case did not pass: the first thing to look at."""
+        if self.solution.failure:
+            return self.solution.failure
+        wrong = [row for row in self.rows if row.verdict is self.verdict and row.comparison.reason]
+        return f"{wrong[0].key}: {wrong[0].comparison.reason}" if wrong else ""

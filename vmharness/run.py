@@ -1,0 +1,89 @@
+"""One case through one solver: deck in, judged results out."""
+
+import hashlib
+import time
+from collections.abc import Callable
+
+from vmharness.backends import Backend
+from vmharness.case import Case
+from vmharness.case.format import Result
+from vmharness.compare import Comparison, Tolerance, Verdict, compare
+from vmharness.events import Event
+from vmharness.evidence.reading import readings
+from vmharness.formula import Unit
+from vmharness.history import History
+from vmharness.measure import find_event, value_at
+from vmharness.result import CaseRun, Published, Row, Solution
+
+Progress = Callable[[float], None]
+
+
+def run(case: Case, backend: Backend, progress: Progress | None = None) -> CaseRun:
+    """Give the deck to the solver, measure what the theory predicts, compare.
+
+    Never raises for what a deck or a solver does wrong: that is a run that could not be judged, with its reason.
+    """
+    began = time.perf_counter()
+    solution = backend.solve(case, progress)
+    events = {name: _event(case, name, solution) for name in case.file.events}
+    rows = tuple(_row(case, result, solution, events[result.event]) for result in case.file.results)
+    return CaseRun(
+        case=case,
+        solution=solution,
+        rows=rows,
+        events=events,
+        readings=readings(case, solution.history) if solution.history and not solution.failure else {},
+        deck_sha256=_sha256(case.deck_path.read_bytes()),
+        case_sha256=_sha256((case.folder / "case.toml").read_bytes()),
+        seconds=time.perf_counter() - began,
+    )
+
+
+def _event(case: Case, name: str, solution: Solution) -> Event | str:
+    """When the event happened, or why that cannot be said."""
+    if solution.history is None or len(solution.history) < 3:
+        return "the solver gave no history"
+    return find_event(case, name, solution.history)
+
+
+def _row(case: Case, result: Result, solution: Solution, event: Event | str) -> Row:
+    factor = case.units.factor(Unit(result.unit))
+    tolerance = Tolerance(result.tolerance.relative, result.tolerance.absolute)
+    target = case.target(result.key) / factor
+    if isinstance(event, str) or solution.history is None:
+        comparison = _missing(target, tolerance, str(event), solution)
+    else:
+        scale = _scale(solution.history, result.channel) / factor
+        value = value_at(solution.history, result.channel, event.time) / factor
+        comparison = compare(target, value, tolerance, scale)
+    budget = [case.evaluate(f"budget {number} {result.key}")
+              for number, line in enumerate(case.file.budget, 1) if result.key in line.relative]  # fmt: skip
+    return Row(
+        key=result.key,
+        label=result.label,
+        event=case.file.events[result.event].title,
+        unit=result.unit,
+        comparison=comparison,
+        uncertainty=event.uncertainty if isinstance(event, Event) else None,
+        because=result.tolerance.because,
+        budget=sum(budget) if budget else None,
+        published={
+            column.name: Published(column.values[result.key], column.errors_percent.get(result.key))
+            for column in case.file.published
+            if result.key in column.values
+        },
+    )
+
+
+def _missing(target: float, tolerance: Tolerance, why: str, solution: Solution) -> Comparison:
+    """An event that did not happen fails its results; one that an unfinished run never reached cannot be judged."""
+    verdict = Verdict.ERROR if solution.failure else Verdict.FAIL
+    return Comparison(target, float("nan"), tolerance, None, None, None, verdict, why)
+
+
+def _scale(history: History, channel: str) -> float:
+    return float(abs(history[channel]).max())
+
+
+def _sha256(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()

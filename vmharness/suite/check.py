@@ -1,0 +1,52 @@
+"""A case checked as far as it can be without running it."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from vmharness.case import Case
+
+
+@dataclass
+class Review:
+    """What is wrong with a case, and what one should look at; sentences."""
+
+    wrong: list[str] = field(default_factory=list)
+    doubtful: list[str] = field(default_factory=list)
+
+
+def check(folder: Path) -> Review:
+    """Read the case and its deck, build the model, find every channel in it, review the tolerances."""
+    from vmharness.case import CaseError, read
+    from vmharness.evidence import tolerance
+
+    review = Review()
+    try:
+        case = read(folder)
+        tight, review.doubtful = tolerance.review(case)
+        review.wrong += tight
+        review.wrong += _deck(case)
+    except CaseError as error:
+        review.wrong.append(str(error))
+    return review
+
+
+def _deck(case: "Case") -> list[str]:
+    """What keeps the built-in solver from running the deck."""
+    from vmharness.backends import builtin
+    from vmharness.deck import DeckError
+    from vmharness.explicit.model import build
+    from vmharness.explicit.probe import ProbeError
+
+    try:
+        model = build(builtin.read_deck(case))
+    except DeckError as error:
+        return [str(error)]
+    wrong = []
+    for name, channel in case.file.channels.items():
+        try:
+            builtin._probe(model, channel)
+        except ProbeError as error:
+            wrong.append(f"[channels] {name}: {error}")
+    return wrong

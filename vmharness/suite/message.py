@@ -1,0 +1,41 @@
+"""What a worker process says of a task, and what the pool says where the worker no longer can."""
+
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Began:
+    """The task was given to a worker."""
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far the task is, from 0 to 1."""
+
+    fraction: float
+
+
+@dataclass(frozen=True)
+class Done:
+    """The task returned `value`."""
+
+    value: Any
+
+
+@dataclass(frozen=True)
+class Raised:
+    """The task raised an exception."""
+
+    error: str
+    traceback: str
+
+
+@dataclass(frozen=True)
+class Lost:
+    """The worker crashed, or was killed after its time was up."""
+
+    reason: str
+
+
+Message = Began | Progress | Done | Raised | Lost

@@ -1,0 +1,67 @@
+"""What became of a case that was selected, and the exit code that follows for all of them."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from vmharness.result import CaseRun
+
+
+class Status(StrEnum):
+    """What can be said of a case, worst news first."""
+
+    NOT_RUN = "not run"  # interrupted before it was done
+    DEFECT = "defect"  # of the harness
+    BROKEN = "case error"
+    UNJUDGED = "error"  # the solver is missing, crashed, or ran out of time
+    FAIL = "fail"
+    PASS = "pass"
+
+
+EXIT_CODES = {
+    Status.NOT_RUN: 2,
+    Status.DEFECT: 3,
+    Status.BROKEN: 4,
+    Status.UNJUDGED: 6,
+    Status.FAIL: 1,
+    Status.PASS: 0,
+}
+NOTHING_SELECTED = 5
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """A selected case, what became of it, and why."""
+
+    id: str
+    status: Status
+    reason: str = ""
+    run: "CaseRun | None" = None
+    traceback: str = ""  # of a defect
+
+    @property
+    def share(self) -> float | None:
+        """The largest share of its tolerance that a result uses; None where there is none to speak of."""
+        shares = [row.comparison.share for row in self.run.rows] if self.run else []
+        known = [share for share in shares if share is not None]
+        return max(known) if known and len(known) == len(shares) else None
+
+
+def exit_code(statuses: Iterable[Status]) -> int:
+    """0 all pass; 1 out of tolerance; 2 interrupted; 3 defect; 4 case error; 5 nothing selected; 6 not judged.
+
+    Of several the first of 2, 3, 4, 6, 1 is given.
+
+    >>> exit_code([Status.PASS, Status.FAIL, Status.UNJUDGED])
+    6
+    """
+    found = set(statuses)
+    return next((EXIT_CODES[status] for status in Status if status in found), NOTHING_SELECTED)
+
+
+def worst_first(outcomes: Iterable[Outcome]) -> list[Outcome]:
+    """In the order in which one wants to hear of them: by status, then by share of tolerance, then by id."""
+    order = list(Status)
+    return sorted(outcomes, key=lambda o: (order.index(o.status), -(o.share or 0.0), o.id))

@@ -1,0 +1,141 @@
+"""Which cases are meant: by id, pattern, path, words, tags. Reads no more of a case than its title and tags."""
+
+import difflib
+import tomllib
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from pathlib import Path
+
+import vmharness
+
+FILE = "case.toml"
+
+
+class SelectError(ValueError):
+    """A selection that means nothing."""
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A case folder, before it is read and checked."""
+
+    folder: Path
+    title: str = ""
+    tags: tuple[str, ...] = ()
+
+    @property
+    def id(self) -> str:
+        """The folder's name."""
+        return self.folder.name
+
+
+def cases_folder(chosen: Path | None = None) -> Path:
+    """Where the cases are: the `chosen` folder, else ./cases if it holds any, else those of the package."""
+    if chosen is not None:
+        if not chosen.is_dir():
+            raise SelectError(f"no folder {chosen}")
+        return chosen
+    package = Path(vmharness.__file__).parent
+    places = [Path("cases"), package / "cases", package.parent / "cases"]  # the last: installed with pip -e
+    found = [place for place in places if any(place.glob(f"*/{FILE}"))]
+    if not found:
+        raise SelectError("no cases here, and none installed; name a folder with --cases")
+    return found[0]
+
+
+def entries(folder: Path) -> list[Entry]:
+    """The cases in a folder, by id."""
+    return sorted((entry(path.parent) for path in folder.glob(f"*/{FILE}")), key=lambda found: found.id)
+
+
+def entry(folder: Path) -> Entry:
+    """Title and tags of a case; those of a file that is no TOML are blank, which reading it will explain."""
+    try:
+        table = tomllib.loads((folder / FILE).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        table = {}
+    tags = table.get("tags", ())
+    known = tuple(map(str, tags)) if isinstance(tags, list) else ()
+    return Entry(folder, str(table.get("title", "")), known)
+
+
+def select(
+    folder: Path, selectors: Sequence[str], words: str = "", tags: Sequence[str] = ()
+) -> tuple[list[Entry], dict[str, str]]:
+    """Cases that any of `selectors` means (all, without any) and that match `words` and have all `tags`.
+
+    Returns them, and for each selector that means no case a sentence that says so. Raises SelectError.
+    """
+    known = entries(folder)
+    found: dict[Path, Entry] = {} if selectors else {case.folder: case for case in known}
+    unknown = {}
+    for selector in selectors:
+        meant = _meant(selector, known)
+        found.update((case.folder, case) for case in meant)
+        if not meant:
+            unknown[selector] = _no_case(selector, known)
+    wanted = [case for case in found.values() if matches(words, case) and set(tags) <= set(case.tags)]
+    _check_unique(wanted)
+    return wanted, unknown
+
+
+def matches(words: str, case: Entry) -> bool:
+    """Whether id, title or tags contain the words of an expression: `impact and not shell or VM-061`.
+
+    `not` binds strongest, then `and`, then `or`; upper and lower case are the same. Raises SelectError.
+
+    >>> ball = Entry(Path("VM-061"), "Ball on a surface", ("contact",))
+    >>> matches("ball and not shell", ball), matches("beam or contact", ball), matches("vm-062", ball)
+    (True, True, False)
+    """
+    text = " ".join([case.id, case.title, *case.tags]).lower()
+    return not words.strip() or any(
+        all(_holds(term, text, words) for term in _split(part, "and"))
+        for part in _split(words.lower().split(), "or")
+    )
+
+
+def _holds(term: list[str], text: str, words: str) -> bool:
+    denied = bool(term) and term[0] == "not"
+    phrase = term[1:] if denied else term
+    if not phrase or "not" in phrase:
+        raise SelectError(f"-k {words!r}: write words with and, or, not between them")
+    return (" ".join(phrase) in text) != denied
+
+
+def _split(words: list[str], at: str) -> list[list[str]]:
+    """The runs of words between the words `at`."""
+    parts: list[list[str]] = [[]]
+    for word in words:
+        if word == at:
+            parts.append([])
+        else:
+            parts[-1].append(word)
+    return parts
+
+
+def _meant(selector: str, known: Iterable[Entry]) -> list[Entry]:
+    """By id, then by pattern, then by path, so that a folder of the same name here does not hide a case."""
+    found = [case for case in known if case.id == selector] or [
+        case for case in known if fnmatchcase(case.id, selector)
+    ]
+    if not found and (Path(selector) / FILE).is_file():
+        found = [entry(Path(selector).resolve())]
+    return found
+
+
+def _no_case(selector: str, known: Sequence[Entry]) -> str:
+    by_lower = {case.id.lower(): case.id for case in known}
+    near = [by_lower[name] for name in difflib.get_close_matches(selector.lower(), by_lower, n=3)]
+    there = f"did you mean {' or '.join(near)}?" if near else "`vm list` shows those that there are"
+    return f"no case {selector}; {there}"
+
+
+def _check_unique(cases: Sequence[Entry]) -> None:
+    """Two cases of one id would write each other's report."""
+    seen: dict[str, Path] = {}
+    for case in cases:
+        if case.id in seen:
+            raise SelectError(f"two cases are called {case.id}: {seen[case.id]} and {case.folder}")
+        seen[case.id] = case.folder

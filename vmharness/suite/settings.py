@@ -1,0 +1,60 @@
+"""Data of a case set to other values: `m=0.4`."""
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from vmharness.case import Case
+
+
+class SettingError(ValueError):
+    """A setting that is not NAME=NUMBER."""
+
+
+def parse(settings: Iterable[str]) -> dict[str, float]:
+    """Names and numbers; raises SettingError.
+
+    >>> parse(["m=0.4", "k = 2e3"])
+    {'m': 0.4, 'k': 2000.0}
+    """
+    values: dict[str, float] = {}
+    for setting in settings:
+        name, _, number = setting.partition("=")
+        try:
+            value = float(number)
+        except ValueError:
+            value = float("nan")
+        if not name.strip() or not abs(value) < float("inf"):
+            raise SettingError(f"--set {setting}: write NAME=NUMBER, the number in the unit of the case")
+        if name.strip() in values:
+            raise SettingError(f"--set {setting}: {name.strip()} is set twice")
+        values[name.strip()] = value
+    return values
+
+
+def with_settings(case: "Case", settings: Mapping[str, float]) -> "Case":
+    """The case with other data, each in the unit in which the case gives it, and all its numbers evaluated.
+
+    Raises CaseError for data that the case does not have, or that leave a target or parameter without a value.
+    """
+    from vmharness.case import CaseError
+    from vmharness.case.near import near
+
+    for name in settings:
+        if name not in case.given:
+            raise CaseError(f"{case.id}: no given datum {name}{near(name, case.given)}")
+    factor = {name: case.units.factor(case.file.given[name].unit) for name in settings}
+    changed = case.with_given({name: value * factor[name] for name, value in settings.items()})
+    for name in changed.formulas:
+        if not name.startswith("curve "):  # curves have a value at a time only
+            changed.evaluate(name)
+    return changed
+
+
+def label(id: str, settings: Mapping[str, float]) -> str:
+    """The name of a case with other data, as of its folder.
+
+    >>> label("VM-061", {"k": 2000.0, "m": 0.4})
+    'VM-061@k=2000,m=0.4'
+    """
+    return f"{id}@{','.join(f'{name}={value!r}'.removesuffix('.0') for name, value in settings.items())}"
