@@ -20,7 +20,6 @@ def push(start):
     return lambda t: np.where(t > start, 100.0 * np.sin(6.0 * np.maximum(t - start, 0.0)), 0.0)
 
 
-
 @given(phase)
 def test_onset_is_found_far_inside_a_step_whatever_its_phase(offset):
     time, force = sampled(push(0.5), 1e-3, offset, end=0.8)

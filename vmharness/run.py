@@ -1,7 +1,6 @@
 """One case through one solver: deck in, judged results out."""
 
 import hashlib
-import time
 from collections.abc import Callable
 
 from vmharness.backends import Backend
@@ -21,10 +20,13 @@ Progress = Callable[[float], None]
 def run(case: Case, backend: Backend, progress: Progress | None = None) -> CaseRun:
     """Give the deck to the solver, measure what the theory predicts, compare.
 
-    Never raises for what a deck or a solver does wrong: that is a run that could not be judged, with its reason.
+    What a deck or a solver does wrong raises nothing: it is a run that could not be judged, with its reason.
     """
-    began = time.perf_counter()
-    solution = backend.solve(case, progress)
+    return judge(case, backend.solve(case, progress))
+
+
+def judge(case: Case, solution: Solution) -> CaseRun:
+    """Measure in the solution what the theory predicts, and compare."""
     events = {name: _event(case, name, solution) for name in case.file.events}
     rows = tuple(_row(case, result, solution, events[result.event]) for result in case.file.results)
     return CaseRun(
@@ -35,7 +37,7 @@ def run(case: Case, backend: Backend, progress: Progress | None = None) -> CaseR
         readings=readings(case, solution.history) if solution.history and not solution.failure else {},
         deck_sha256=_sha256(case.deck_path.read_bytes()),
         case_sha256=_sha256((case.folder / "case.toml").read_bytes()),
-        seconds=time.perf_counter() - began,
+        seconds=solution.seconds,
     )
 
 

@@ -76,7 +76,9 @@ def test_a_folder_without_a_case_is_told(tmp_path):
 def test_targets_are_those_of_the_closed_form():
     # cases of the manual: exact values derived independently, see also test_vm061_twice.py
     case = read(CASES / "VM-061")
-    exact = dict(t_impact=0.0719815751, v_impact=-27.7848880, ke_impact=193.0, z_peak=-1.5506656, t_peak=0.1004448599)
+    exact = dict(
+        t_impact=0.0719815751, v_impact=-27.7848880, ke_impact=193.0, z_peak=-1.5506656, t_peak=0.1004448599
+    )
     for key, value in exact.items():
         assert case.target(key) == pytest.approx(value, rel=1e-8)
 

@@ -22,7 +22,7 @@ def test_widths_are_the_formats() -> None:
     assert widths("NODE") == [[8, 16, 16, 16, 8, 8]]
     assert widths("ELEMENT_SHELL") == [[8] * 10]
     assert widths("ELEMENT_SHELL_THICKNESS") == [[8] * 10, [16] * 5]
-    assert widths("ELEMENT_MASS") == widths("ELEMENT_MASS_NODE_SET") == [[8, 8, 16, 8]]
+    assert widths("ELEMENT_MASS") == [[8, 8, 16, 8]]
     assert widths("DEFINE_CURVE") == [[10] * 8, [20, 20]]
     assert widths("PART") == [[70], [10] * 8]
     eight = [

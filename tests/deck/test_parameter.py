@@ -94,9 +94,9 @@ def test_nothing_to_replace(deck: Read) -> None:
         ("*PARAMETER_EXPRESSION\nC x       2\n", "3: *PARAMETER_EXPRESSION: EXPRESSION = 2: parameter x: an expr"),
         ("*THING\n&later\n*PARAMETER\nI later,1\n", "3: *THING: N = &later: undefined parameter"),
         ("*PARAMETER\nI count,1\n*THING\n&coun\n", "5: *THING: N = &coun: undefined parameter; did you mean &count?"),
-        ("*PARAMETER\nR x,0.5\n*THING\n&x\n", "5: *THING: N = &x: not an integer"),
+        ("*PARAMETER\nR x,0.5\n*THING\n&x\n", "5: *THING: N = &x (0.5): not an integer"),
         ("*PARAMETER\nC x,a\n*THING\n,,-&x\n", "5: *THING: W = -&x: a text parameter has no sign"),
-        ("*PARAMETER\nC x,a\n*THING\n,&x\n", "5: *THING: X = &x: not a number"),
+        ("*PARAMETER\nC x,a\n*THING\n,&x\n", "5: *THING: X = &x (a): not a number"),
         ("*PARAMETER_LOCAL\nR x,1.\n", "2: *PARAMETER_LOCAL: unknown keyword"),
     ],
 )  # fmt: skip

@@ -31,6 +31,11 @@ def test_a_real_fits_20_columns_with_all_the_digits_that_fit(value: float) -> No
         assert abs(float(text) - value) <= 1e-14 * abs(value)
 
 
+def test_the_largest_double_does_not_round_to_infinity() -> None:
+    largest = np.finfo(float).max
+    assert float(number(float(largest))) == pytest.approx(largest, rel=1e-12)
+
+
 def item(field: Field) -> st.SearchStrategy[str]:
     """What a comma-separated card may have for a field."""
     if field.choices:

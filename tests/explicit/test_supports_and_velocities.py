@@ -6,7 +6,9 @@ import pytest
 from vmharness.deck import DeckError
 from vmharness.explicit.loop import steps
 
-NODES = "*NODE\n5,0,0,1\n6,1,0,1\n7,2,0,1\n8,3,0,1\n*ELEMENT_MASS\n105,5,1.0\n106,6,1.0\n107,7,1.0\n108,8,1.0\n"
+NODES = (
+    "*NODE\n5,0,0,1\n6,1,0,1\n7,2,0,1\n8,3,0,1\n*ELEMENT_MASS\n105,5,1.0\n106,6,1.0\n107,7,1.0\n108,8,1.0\n"
+)
 GRAVITY = "*LOAD_BODY_X\n1,1.0\n*LOAD_BODY_Y\n1,1.0\n*LOAD_BODY_Z\n1,1.0\n"
 
 
@@ -75,7 +77,9 @@ def test_a_load_curve_scales_in_time_and_must_span_the_run(wall_and):
     model = wall_and(NODES + ramp + "*LOAD_BODY_Z\n2,3.0\n", end=1.0)
     for s in steps(model):
         assert s.a[4, 2] == pytest.approx(-3.0 * 2.0 * s.t, abs=1e-12)
-    with pytest.raises(DeckError, match=r"\*LOAD_BODY_Z: LCID = 2: the curve spans 0 to 2, but the run 0 to 3"):
+    with pytest.raises(
+        DeckError, match=r"\*LOAD_BODY_Z: LCID = 2: the curve spans 0 to 2, but the run 0 to 3"
+    ):
         wall_and(NODES + ramp + "*LOAD_BODY_Z\n2\n", end=3.0)
 
 
@@ -97,8 +101,14 @@ def test_work_of_a_ramped_load_is_the_kinetic_energy_it_gives(wall_and):
         ("*BOUNDARY_SPC_SET\n9,0,1\n", r"\*BOUNDARY_SPC_SET: NSID = 9: no .* with SID = 9; defined: none"),
         ("*BOUNDARY_SPC_NODE\n5,0,2\n", r"DOFX = 2: only 0 and 1 are supported"),
         ("*ELEMENT_MASS\n1,77,1.0\n", r"\*ELEMENT_MASS: NID = 77: no \*NODE 77"),
-        ("*PART\np\n9,8,1\n*ELEMENT_SHELL\n9,9,5,6,7,8\n", r"\*PART: SECID = 8: no \*SECTION_SHELL with SECID = 8"),
-        ("*PART\np\n9,1,8\n*ELEMENT_SHELL\n9,9,5,6,7,8\n", r"\*PART: MID = 8: no .*MAT_.* with MID = 8; defined: 1"),
+        (
+            "*PART\np\n9,8,1\n*ELEMENT_SHELL\n9,9,5,6,7,8\n",
+            r"\*PART: SECID = 8: no \*SECTION_SHELL with SECID = 8",
+        ),
+        (
+            "*PART\np\n9,1,8\n*ELEMENT_SHELL\n9,9,5,6,7,8\n",
+            r"\*PART: MID = 8: no .*MAT_.* with MID = 8; defined: 1",
+        ),
         ("*ELEMENT_SHELL\n9,9,5,6,7,8\n", r"\*ELEMENT_SHELL: PID = .*9.*: no \*PART with PID = 9"),
         ("*ELEMENT_SHELL\n9,1,5,6,7,7\n", r"\*ELEMENT_SHELL: N4 = 7: a triangle; only quadrilaterals"),
         (

@@ -43,7 +43,7 @@ def solve(case: Case, progress: Callable[[float], None] | None = None) -> Soluti
     try:
         deck = read_deck(case)
         model = build(deck)
-        probes = {name: _probe(model, channel) for name, channel in case.file.channels.items()}
+        probes = {name: probe_of(model, channel) for name, channel in case.file.channels.items()}
     except (DeckError, ProbeError) as error:
         return Solution(SOLVER, None, str(error))
     view = _view(deck, model)  # before the nodes move
@@ -91,7 +91,8 @@ def record(
     )
 
 
-def _probe(model: Model, channel: Channel) -> Probe:
+def probe_of(model: Model, channel: Channel) -> Probe:
+    """What shows a channel of a case; raises ProbeError where the model has no such thing."""
     if channel.energy is not None:
         return probe.energies(model, channel.energy)
     component = channel.component or ""

@@ -4,7 +4,7 @@ import difflib
 
 import click
 
-from vmharness import __version__, dropins
+from vmharness import dropins
 
 COMMANDS = "vmharness.cli.commands"
 
@@ -28,7 +28,7 @@ class Folder(click.Group):
 
 
 @click.group(cls=Folder, context_settings={"help_option_names": ["-h", "--help"]})
-@click.version_option(__version__, prog_name="vm", message="vmharness %(version)s")
+@click.version_option(package_name="vmharness", prog_name="vm", message="vmharness %(version)s")
 @click.option("--debug", is_flag=True, help="Show where a defect of the harness lies.")
 def vm(debug: bool) -> None:
     """Run verification cases of explicit dynamics: deck in, judged results and manual page out.

@@ -10,6 +10,7 @@ import click
 
 from vmharness.cli.group import vm
 from vmharness.cli.say import complain
+from vmharness.suite.garbage import collect_rarely
 
 INTERRUPTED, DEFECT, USAGE = 2, 3, 4
 
@@ -17,6 +18,7 @@ INTERRUPTED, DEFECT, USAGE = 2, 3, 4
 def guarded(arguments: Sequence[str] | None) -> int:
     """The exit code of the command with these arguments (those of the process, without any)."""
     given = list(sys.argv[1:] if arguments is None else arguments)
+    collect_rarely()
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # to be asked to end is to be interrupted
     try:
         code = vm.main(given, prog_name="vm", standalone_mode=False)

@@ -8,6 +8,9 @@ if TYPE_CHECKING:
     from rich.table import Table
 
 WIDTH_OF_A_PIPE = 160
+RIGHT = {"Target", "Computed", "Value", "Cycles", "Seconds"} | {
+    f"{name} (%)" for name in ("Error", "Used", "Tolerance", "Tolerance used", "Budget")
+}
 
 
 def say(text: str) -> None:
@@ -31,12 +34,15 @@ def say_table(table: "Table") -> None:
     console = Console(width=None if sys.stdout.isatty() else WIDTH_OF_A_PIPE)
     with console.capture() as captured:
         console.print(table)
-    say("\n".join(line.rstrip() for line in captured.get().splitlines()))
+    lines = [line.rstrip() for line in captured.get().splitlines()]
+    say("\n".join(["", *filter(None, lines)]))
 
 
-def plain_table(*columns: str) -> "Table":
-    """A table with a line under its head, and no other."""
+def plain_table(first: str, *others: str) -> "Table":
+    """A table with a line under its head, and no other; the first column is never broken."""
     from rich.box import SIMPLE_HEAD
-    from rich.table import Table
+    from rich.table import Column, Table
 
-    return Table(*columns, box=SIMPLE_HEAD, pad_edge=False, header_style="bold")
+    columns = [Column(name, justify="right" if name in RIGHT else "left") for name in others]
+    head = Column(first, no_wrap=True)
+    return Table(head, *columns, box=SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False, header_style="bold")

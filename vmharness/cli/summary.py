@@ -2,12 +2,15 @@
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import groupby
 from typing import TYPE_CHECKING
 
 from vmharness.cli.say import plain_table, say, say_table
 from vmharness.suite.outcome import Outcome, Status, worst_first
 
 if TYPE_CHECKING:
+    from rich.text import Text
+
     from vmharness.result import CaseRun
 
 COLOURS = {Status.PASS: "green", Status.FAIL: "red"}  # what is neither is yellow
@@ -28,40 +31,38 @@ def summarise(outcomes: Iterable[Outcome], again: Mapping[str, str], debug: bool
 
 
 def _results(run: "CaseRun") -> None:
-    """The manual's table of a case."""
-    from rich.text import Text
-
-    table = plain_table("Event", "Result", "Unit")
-    for column in ("Target", "Computed", "Error (%)", "Tolerance (%)", "Used (%)"):
-        table.add_column(column, justify="right")
-    table.add_column("Verdict")
-    for row in run.rows:
-        c = row.comparison
-        numbers = (
-            f"{c.target:.6g}",
-            f"{c.value:.6g}",
-            _number(c.error_percent, "+.4f").replace("-0.0000", "+0.0000"),
-            _number(c.tolerance_percent, ".4f"),
-            _number(c.share, ".1%").removesuffix("%"),
-        )
-        style = COLOURS.get(Status(row.verdict), "yellow")
-        table.add_row(row.event, row.label, row.unit, *numbers, Text(row.verdict, style))
+    """The manual's table of a case, with the share of its tolerance that each result uses."""
+    table = plain_table("Result", "Target", "Computed", "Error (%)", "Used (%)", "Verdict")
+    for event, rows in groupby(run.rows, key=lambda row: row.event):
+        table.add_row(event)
+        for row in rows:
+            c = row.comparison
+            table.add_row(
+                f"  {row.label} ({row.unit})" if row.unit else f"  {row.label}",
+                f"{c.target:.6g}",
+                f"{c.value:.6g}",
+                _number(c.error_percent, "+.4f").replace("-0.0000", "+0.0000"),
+                _number(c.share, ".1%").removesuffix("%"),
+                _coloured(Status(row.verdict)),
+            )
     say_table(table)
 
 
 def _cases(outcomes: Sequence[Outcome]) -> None:
-    from rich.text import Text
-
-    table = plain_table("Case", "Verdict")
-    for column in ("Tolerance used (%)", "Cycles", "Seconds"):
-        table.add_column(column, justify="right")
+    table = plain_table("Case", "Verdict", "Tolerance used (%)", "Cycles", "Seconds")
     for outcome in outcomes:
-        verdict = Text(outcome.status, COLOURS.get(outcome.status, "yellow"))
         cycles, seconds = "", ""
         if outcome.run is not None:
             cycles, seconds = str(outcome.run.solution.cycles), f"{outcome.run.seconds:.2f}"
-        table.add_row(outcome.id, verdict, _number(outcome.share, ".1%").removesuffix("%"), cycles, seconds)
+        share = _number(outcome.share, ".1%").removesuffix("%")
+        table.add_row(outcome.id, _coloured(outcome.status), share, cycles, seconds)
     say_table(table)
+
+
+def _coloured(status: Status) -> "Text":
+    from rich.text import Text
+
+    return Text(status, COLOURS.get(status, "yellow"))
 
 
 def _explain(outcome: Outcome, again: Mapping[str, str], debug: bool) -> None:

@@ -6,7 +6,7 @@ from dataclasses import field as default
 
 from vmharness.deck.card import Card
 from vmharness.deck.error import DeckError
-from vmharness.deck.field import Value
+from vmharness.deck.field import Value, shown
 
 KEYWORD_OPTIONS = {"LONG": ("Y", "K", "S", "N"), "I10": ("N",), "MEMORY": (), "NCPU": ()}
 
@@ -35,8 +35,9 @@ class Block:
             try:
                 values.append(field.read(item, parameters))
             except ValueError as error:
-                shown = "unused" if name.startswith("_") else name
-                raise DeckError(str(error), self.file, number, self.name, shown, item.strip()) from None
+                column = "unused" if name.startswith("_") else name
+                value = shown(item, parameters)
+                raise DeckError(str(error), self.file, number, self.name, column, value) from None
         return values
 
     def error(self, what: str, line: int = 0) -> DeckError:

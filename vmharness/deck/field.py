@@ -95,6 +95,19 @@ def substitute(item: str, parameters: Mapping[str, Value]) -> str:
     return str(-value)
 
 
+def shown(item: str, parameters: Mapping[str, Value]) -> str:
+    """The characters of a field for a message, a parameter with its value.
+
+    >>> shown(" &rho", {"rho": -1.0}), shown(" 2.0 ", {})
+    ('&rho (-1.0)', '2.0')
+    """
+    item = item.strip()
+    try:
+        return f"{item} ({substitute(item, parameters)})" if REFERENCE.fullmatch(item) else item
+    except ValueError:
+        return item
+
+
 def integer(
     default: int | None = None,
     *,

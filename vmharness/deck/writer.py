@@ -70,9 +70,7 @@ def number(value: float) -> str:
         return exact
     for digits in range(17, 1, -1):
         text = f"{value:.{digits}e}".replace("e-0", "e-").replace("e+0", "e").replace("e+", "e")
-        if len(text) <= LONG_WIDTH and isfinite(
-            float(text)
-        ):  # the largest doubles could round up to infinity
+        if len(text) <= LONG_WIDTH and isfinite(float(text)):  # near the largest double, rounding overflows
             exact = repr(float(text))
             return exact if len(exact) <= LONG_WIDTH else text
     raise ValueError(value)

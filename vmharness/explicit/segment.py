@@ -11,6 +11,7 @@ Index = NDArray[np.intp]
 XI = (-1.0, 1.0, 1.0, -1.0)
 ETA = (-1.0, -1.0, 1.0, 1.0)
 ITERATIONS = 20
+MAXPAR = 1.025  # a segment reaches this far in xi and eta, so that no node slips through between two
 
 
 @kernel
@@ -88,3 +89,37 @@ def closest_point(x: Array, corners: Index, p: Array) -> tuple[float, float, flo
     inside_xi, inside_eta = min(max(xi, -1.0), 1.0), min(max(eta, -1.0), 1.0)
     d0, d1, d2 = offset(x, corners, p, inside_xi, inside_eta)
     return xi, eta, np.sqrt(d0 * d0 + d1 * d1 + d2 * d2)
+
+
+@kernel
+def nearest(x: Array, node: int, segments: Index, point: Array) -> int:
+    """The segment nearest to `node`, if it projects on it, or -1; `point` receives xi, eta and the gap there.
+
+    A node does not touch the segments that it is a corner of.
+    """
+    best, least, p = -1, np.inf, x[node]
+    for s in range(segments.shape[0]):
+        if node in segments[s]:
+            continue
+        xi, eta, distance = closest_point(x, segments[s], p)
+        if distance < least:
+            least = distance
+            best = -1
+            if abs(xi) <= MAXPAR and abs(eta) <= MAXPAR:
+                best = s
+                point[0], point[1] = xi, eta
+    if best >= 0:
+        point[2] = gap(x, segments[best], p, point[0], point[1])
+    return best
+
+
+@kernel
+def gap(x: Array, corners: Index, p: Array, xi: float, eta: float) -> float:
+    """(p - r(xi, eta)) . n, positive in front of the segment."""
+    n0, n1, n2 = normal(x, corners, xi, eta)
+    g = 0.0
+    for i in range(4):
+        weight = shape(i, xi, eta)
+        c = corners[i]
+        g += weight * ((p[0] - x[c, 0]) * n0 + (p[1] - x[c, 1]) * n1 + (p[2] - x[c, 2]) * n2)
+    return g

@@ -19,7 +19,7 @@ def write_case(run: CaseRun, folder: Path, volatile: bool = True) -> list[Path]:
     from vmharness.report.prose import pictures
 
     content, to = page(run, volatile), folder / run.case.id
-    texts = {to / format.FILE: format.case(content, to) for format in dropins.modules(PAGES)}
+    texts = {to / form.FILE: form.case(content, to) for form in dropins.modules(PAGES)}
     for figure in filter(None, [content.model, *content.histories]):
         texts[to / f"{figure.name}.svg"] = figure.svg
     for name, picture in pictures(run.case).items():
@@ -32,7 +32,7 @@ def write_index(runs: list[CaseRun], folder: Path) -> list[Path]:
     from vmharness.report.index import index
 
     content = index(runs)
-    texts = {folder / format.FILE: format.index(content) for format in dropins.modules(PAGES)}
+    texts = {folder / form.FILE: form.index(content) for form in dropins.modules(PAGES)}
     return [atomic.write(path, text) for path, text in texts.items()]
 
 

@@ -24,7 +24,9 @@ class Line:
 class Index:
     """All that a format needs to write the index."""
 
-    solvers: Mapping[str, list[Line]]  # by solver, without its version: errors, failures, then the thinnest margin
+    solvers: Mapping[
+        str, list[Line]
+    ]  # by solver, without its version: errors, failures, then the thinnest margin
     coverage: Mapping[str, list[CaseRun]]  # by tag
     counts: Mapping[Verdict, int]
 
@@ -35,7 +37,9 @@ def index(runs: list[CaseRun]) -> Index:
     coverage: dict[str, list[CaseRun]] = {}
     for run in sorted(runs, key=_badness):
         passed = sum(row.verdict is Verdict.PASS for row in run.rows)
-        solvers.setdefault(short_name(run.solution.solver), []).append(Line(run, worst_row(run), passed))
+        # The margin of what was judged says nothing about a run that was not.
+        worst = None if run.verdict is Verdict.ERROR else worst_row(run)
+        solvers.setdefault(short_name(run.solution.solver), []).append(Line(run, worst, passed))
     for run in sorted(runs, key=lambda run: run.case.id):
         for tag in run.case.file.tags:
             coverage.setdefault(tag, []).append(run)

@@ -2,6 +2,7 @@
 
 import math
 import re
+from decimal import Decimal
 
 DASH = "–"
 
@@ -54,15 +55,28 @@ def decimals(value: float | None, places: int = 4) -> str:
     return text.removeprefix("-") if float(text) == 0.0 else text
 
 
-def share(value: float | None) -> str:
-    """A share of a tolerance in whole percent.
+def positional(value: float | None, digits: int = 3) -> str:
+    """A few significant digits, however small, without an exponent: for tolerances and budgets in percent.
 
-    >>> share(0.3391), share(0.0004), share(12.0), share(None)
-    ('34 %', '<1 %', '1200 %', '–')
+    >>> positional(5e-5), positional(0.001), positional(0.0005493, 2), positional(None)
+    ('0.00005', '0.001', '0.00055', '–')
     """
     if value is None or not math.isfinite(value):
         return DASH
-    return "<1 %" if value < 0.005 else f"{100.0 * value:.0f} %"
+    return f"{Decimal(f'{value:.{digits}g}').normalize():f}"
+
+
+def share(value: float | None) -> str:
+    """A share of a tolerance in whole percent, or how many times it was exceeded.
+
+    >>> share(0.3391), share(0.0004), share(1.25), share(283.2), share(None)
+    ('34 %', '<1 %', '125 %', '283 ×', '–')
+    """
+    if value is None or not math.isfinite(value):
+        return DASH
+    if value < 0.005:
+        return "<1 %"
+    return f"{100.0 * value:.0f} %" if value < 10.0 else f"{value:.0f} ×"
 
 
 def _tidy(text: str) -> str:

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from vmharness.case import Case, CaseError
-from vmharness.case.format import Budget, Fault, Given, as_line
 from vmharness.case.change import changed_value
+from vmharness.case.format import Budget, Fault, Given, as_line
 from vmharness.formula import Formula, Unit
 from vmharness.report.figures import histories, model
 from vmharness.report.figures.curves import Curve, curves
@@ -136,7 +136,9 @@ def _budget(case: Case) -> list[tuple[Budget, Mapping[str, float]]]:
 def _fault(case: Case, fault: Fault) -> PlantedFault:
     """What theory says of the faulty deck: its data changed, against the sound targets and their tolerances."""
     try:
-        faulty = case.with_given({name: changed_value(case.given[name], by) for name, by in fault.change.items()})
+        faulty = case.with_given(
+            {name: changed_value(case.given[name], by) for name, by in fault.change.items()}
+        )
     except CaseError:
         return PlantedFault(fault, dict.fromkeys(fault.must_fail))
     return PlantedFault(fault, {key: _moved(case, faulty, key) for key in fault.must_fail})
@@ -170,7 +172,8 @@ def _histories(run: CaseRun, solver: str) -> list[Figure]:
 
 def _history(run: CaseRun, together: list[Curve], solver: str) -> Figure:
     name = "-".join(["history", *(curve.channel for curve in together)])
-    caption = f"{histories.quantity(run, together)} over time: {solver} (lines), theory (hollow marks), and their difference"
+    quantity = histories.quantity(run, together)
+    caption = f"{quantity} over time: {solver} (lines), theory (hollow marks), and their difference"
     if any(curve.allowed for curve in together):
         caption += ", with the tolerances of the results at their events"
     return Figure(name, caption, histories.draw(run, name, together, solver))

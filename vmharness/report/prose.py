@@ -7,7 +7,7 @@ from pathlib import Path
 from vmharness.case import Case
 
 FILE = "README.md"
-KINDS = {".svg": "image/svg+xml", ".png": "image/png"}
+KIND = "image/svg+xml"
 _IMAGE = re.compile(r"!\[[^\]]*\]\(([^)\s]+)\)")
 
 
@@ -20,12 +20,12 @@ def sections(case: Case) -> dict[str, str]:
 
 
 def pictures(case: Case) -> dict[str, Path]:
-    """The pictures of the case's folder that its prose shows, by name; nothing outside the folder."""
+    """The drawings (SVG) of the case's folder that its prose shows, by name; nothing outside the folder."""
     named = {name for body in sections(case).values() for name in _IMAGE.findall(body)}
     return {
         name: case.folder / name
         for name in sorted(named)
-        if Path(name).name == name and Path(name).suffix in KINDS and (case.folder / name).is_file()
+        if Path(name).name == name and name.endswith(".svg") and (case.folder / name).is_file()
     }
 
 
@@ -35,13 +35,15 @@ def html(markdown: str, found: dict[str, Path]) -> str:
 
     parser = MarkdownIt("commonmark", {"html": False}).enable("table")
     text = str(parser.render(markdown))
-    return re.sub(r'<p><img src="([^"]*)" alt="([^"]*)" /></p>', lambda tag: _figure(tag[1], tag[2], found), text)
+    return re.sub(
+        r'<p><img src="([^"]*)" alt="([^"]*)" /></p>', lambda tag: _figure(tag[1], tag[2], found), text
+    )
 
 
 def _figure(name: str, caption: str, found: dict[str, Path]) -> str:
     if name not in found:
         return f"<p>{caption}</p>"
-    source = data_link(found[name], KINDS[found[name].suffix])
+    source = data_link(found[name], KIND)
     return f'<figure><img src="{source}" alt="{caption}"><figcaption>{caption}</figcaption></figure>'
 
 

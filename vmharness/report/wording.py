@@ -1,8 +1,8 @@
 """Sentences that every format of the manual says in the same words."""
 
 from vmharness.compare import Verdict
-from vmharness.report.number import decimals, share
-from vmharness.report.page import PlantedFault, worst_row
+from vmharness.report.number import decimals, given, share
+from vmharness.report.page import Page, PlantedFault, worst_row
 from vmharness.result import CaseRun, Reading
 
 SIGNS = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.ERROR: "!"}
@@ -23,7 +23,22 @@ def summary(run: CaseRun) -> str:
         return run.reason or "nothing was judged"
     worst = worst_row(run)
     line = f"All {len(run.rows)} results lie within their tolerances"
-    return f"{line}; {worst.key} uses the most of its own, {share(worst.comparison.share)}." if worst else f"{line}."
+    return (
+        f"{line}; {worst.key} uses the most of its own, {share(worst.comparison.share)}."
+        if worst
+        else f"{line}."
+    )
+
+
+def changes(page: Page) -> str:
+    """The data that are not the case's own, with those that are."""
+    return ", ".join(
+        f"{datum.name} = {given(datum.value)} {datum.unit}".strip()
+        + f" instead of {given(page.run.case.file.given[datum.name].value)}"
+        for column in page.data.values()
+        for datum in column
+        if datum.name in page.run.case.changed
+    )
 
 
 def moves(fault: PlantedFault) -> list[tuple[str, str]]:

@@ -46,7 +46,7 @@ def _deck(case: "Case") -> list[str]:
     wrong = []
     for name, channel in case.file.channels.items():
         try:
-            builtin._probe(model, channel)
+            builtin.probe_of(model, channel)
         except ProbeError as error:
             wrong.append(f"[channels] {name}: {error}")
     return wrong

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from vmharness.suite.message import Began, Done, Lost, Message, Raised
 from vmharness.suite.outcome import Outcome, Status
 from vmharness.suite.pool import Pool
-from vmharness.suite.worker import Report, Work
+from vmharness.suite.worker import Work
 
 if TYPE_CHECKING:
     from vmharness.case import Case
@@ -48,26 +48,15 @@ def judged(
 
 def judge(case: "Case", solution: "Solution", began: float) -> Outcome:
     """What is to be said of a case whose solver gave `solution`."""
-    from vmharness.run import run
+    from vmharness import run
 
     try:
-        judged = replace(run(case, _Solved(solution)), seconds=time.perf_counter() - began)
+        judged = replace(run.judge(case, solution), seconds=time.perf_counter() - began)
     except Exception as error:  # of the harness: the solver is done
         return Outcome(
             case.id, Status.DEFECT, f"{type(error).__name__}: {error}", traceback=traceback.format_exc()
         )
     return Outcome(case.id, VERDICTS[judged.verdict], judged.reason, judged)
-
-
-class _Solved:
-    """A solver that has its answer already: it was found in a worker."""
-
-    def __init__(self, solution: "Solution") -> None:
-        self.NAME = solution.solver
-        self.solution = solution
-
-    def solve(self, case: "Case", progress: Report | None) -> "Solution":
-        return self.solution
 
 
 def _nothing(solver: str, reason: str) -> "Solution":

@@ -25,5 +25,7 @@ def not_passed(folder: Path) -> set[str]:
 
 def write(folder: Path, outcomes: Iterable[Outcome]) -> None:
     """Keep the new outcomes; those of cases that were not selected stay."""
+    from vmharness.report import atomic
+
     known = {**read(folder), **{outcome.id: str(outcome.status) for outcome in outcomes}}
-    (folder / FILE).write_text(json.dumps(dict(sorted(known.items())), indent=1) + "\n", encoding="utf-8")
+    atomic.write(folder / FILE, json.dumps(dict(sorted(known.items())), indent=1) + "\n")

@@ -89,19 +89,22 @@ def matches(words: str, case: Entry) -> bool:
     >>> matches("ball and not shell", ball), matches("beam or contact", ball), matches("vm-062", ball)
     (True, True, False)
     """
+    if not words.strip():
+        return True
     text = " ".join([case.id, case.title, *case.tags]).lower()
-    return not words.strip() or any(
-        all(_holds(term, text, words) for term in _split(part, "and"))
-        for part in _split(words.lower().split(), "or")
-    )
+    terms = [
+        [_term(term, words) for term in _split(part, "and")] for part in _split(words.lower().split(), "or")
+    ]
+    return any(all((phrase in text) == wanted for phrase, wanted in part) for part in terms)
 
 
-def _holds(term: list[str], text: str, words: str) -> bool:
-    denied = bool(term) and term[0] == "not"
-    phrase = term[1:] if denied else term
+def _term(term: list[str], words: str) -> tuple[str, bool]:
+    """The phrase of a term, and whether it is wanted or, with `not` before it, unwanted."""
+    wanted = term[:1] != ["not"]
+    phrase = term if wanted else term[1:]
     if not phrase or "not" in phrase:
         raise SelectError(f"-k {words!r}: write words with and, or, not between them")
-    return (" ".join(phrase) in text) != denied
+    return " ".join(phrase), wanted
 
 
 def _split(words: list[str], at: str) -> list[list[str]]:

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from multiprocessing.connection import Connection
 from typing import Any
 
+from vmharness.suite.garbage import collect_rarely
 from vmharness.suite.message import Done, Progress, Raised
 
 Report = Callable[[float], None]
@@ -27,6 +28,7 @@ def serve(connection: Connection, prepare: Callable[..., Work], arguments: tuple
     What is prepared (imports, above all) is so while the first task is still on its way.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches the whole process group; the parent decides
+    collect_rarely()
     os.environ.update(dict.fromkeys(ONE_THREAD, "1"))
     prepared = _attempt(prepare, *arguments)
     with contextlib.suppress(EOFError, ConnectionError):  # the parent is gone

@@ -7,13 +7,11 @@ import click
 
 from vmharness.cli import options
 from vmharness.cli.again import again
-from vmharness.cli.pipeline import Wanted, run_cases, write_files
 from vmharness.cli.say import complain, say
 from vmharness.cli.selection import selected, selecting
 from vmharness.cli.summary import summarise
 from vmharness.suite import last_run
 from vmharness.suite.outcome import NOTHING_SELECTED, Outcome, Status, exit_code
-from vmharness.suite.select import Entry
 
 REPORTS, RUNS = Path("reports"), Path("runs")
 
@@ -44,6 +42,8 @@ def command(
 
     SELECT is an id, a pattern such as 'VM-0*', or the path of a case folder; without any, all cases are run.
     """
+    from vmharness.cli.pipeline import Wanted, run_cases, write_files  # not needed for --help
+
     found, unknown = selected(selectors, cases, words, tags)
     if lf:
         pending = last_run.not_passed(out or REPORTS)
@@ -66,13 +66,14 @@ def command(
     outcomes += run_cases(found, wanted)
     outcomes += write_files(outcomes, wanted)
     summarise(outcomes, again(found, ctx.params), ctx.find_root().params["debug"])
-    _say_where(found, wanted)
+    if wanted.report:
+        _say_where([wanted.name(case.id) for case in found], wanted.root)
     return exit_code(outcome.status for outcome in outcomes)
 
 
-def _say_where(found: Sequence[Entry], wanted: Wanted) -> None:
+def _say_where(names: Sequence[str], root: Path) -> None:
     """Which file to open."""
-    folder = wanted.root / wanted.name(found[0].id) if len(found) == 1 else wanted.root
-    if wanted.report and folder.is_dir():
+    folder = root / names[0] if len(names) == 1 else root
+    if folder.is_dir():
         page = folder / "index.html"
         say(f"report: {page if page.is_file() else folder}")

@@ -101,7 +101,7 @@ def _deck(case: "Case") -> None:
     rows: Counter[str] = Counter()
     for entry in deck.entries:
         if "nid" in entry.values or "eid" in entry.values:
-            rows[entry.keyword.name] += len(entry.values.get("eid", entry.values.get("nid")))
+            rows[entry.keyword.name] += len(entry.values["eid" if "eid" in entry.values else "nid"])
     keywords = Counter(entry.keyword.name for entry in deck.entries)
     say(f"{case.deck_path.name}: {deck.title}")
     say("parameters: " + ", ".join(f"{name} = {value}" for name, value in deck.parameters.items()))

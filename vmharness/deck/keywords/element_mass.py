@@ -1,4 +1,4 @@
-"""*ELEMENT_MASS: lumped mass at a node, or at each node of a set."""
+"""*ELEMENT_MASS: lumped mass at a node."""
 
 from vmharness.deck.card import Card
 from vmharness.deck.field import integer, real
@@ -13,19 +13,6 @@ ELEMENT_MASS = Keyword(
         pid=integer(0, width=8),
     ),
     table=True,
-    unique="eid",
-    kind="mass element",
-)
-
-ELEMENT_MASS_NODE_SET = Keyword(
-    "ELEMENT_MASS_NODE_SET",
-    Card(
-        eid=integer(width=8, above=0),
-        nsid=integer(width=8, above=0),
-        mass=real(0.0, width=16, at_least=0.0),
-        pid=integer(0, width=8),
-    ),
-    repeat=True,
     unique="eid",
     kind="mass element",
 )

@@ -18,13 +18,11 @@ from vmharness.deck.field import integer, only, real
 from vmharness.deck.keywords.control_contact import CONTROL_CONTACT
 from vmharness.explicit.compiled import kernel
 from vmharness.explicit.model import Model
-from vmharness.explicit.segment import closest_point, normal, shape
+from vmharness.explicit.segment import nearest, normal, shape
 from vmharness.explicit.state import Array, State
 from vmharness.explicit.surface import nodes_of_surface, penalty_at_nodes, segments_of_surface
 
 Index = NDArray[np.intp]
-
-MAXPAR = 1.025  # a segment reaches this far in xi and eta, so that no node slips through between two
 
 CONTACT_NODES_TO_SURFACE = Keyword(
     "CONTACT_NODES_TO_SURFACE",
@@ -113,43 +111,14 @@ class NodesToSurface:
         return np.inf
 
     def initial_penetrations(self, x: Array) -> list[tuple[int, float]]:
-        """Tracked nodes that are behind the surface at `x`, as pairs (row, gap)."""
+        """Tracked nodes that are behind the surface at `x`, by more than round-off, as pairs (row, gap)."""
         point = np.zeros(3)
         behind = []
         for node in self.tracked:
-            segment = nearest(x, x[node], self.segments, point)
-            if segment >= 0 and point[2] < 0.0:
+            s = nearest(x, node, self.segments, point)
+            if s >= 0 and point[2] < -1e-9 * np.linalg.norm(np.ptp(x[self.segments[s]], axis=0)):
                 behind.append((int(node), float(point[2])))
         return behind
-
-
-@kernel
-def nearest(x: Array, p: Array, segments: Index, point: Array) -> int:
-    """The segment nearest to p that p projects on, or -1; `point` receives xi, eta and the gap there."""
-    best, least = -1, np.inf
-    for s in range(segments.shape[0]):
-        xi, eta, distance = closest_point(x, segments[s], p)
-        if distance < least:
-            least = distance
-            best = -1
-            if abs(xi) <= MAXPAR and abs(eta) <= MAXPAR:
-                best = s
-                point[0], point[1] = xi, eta
-    if best >= 0:
-        point[2] = gap(x, segments[best], p, point[0], point[1])
-    return best
-
-
-@kernel
-def gap(x: Array, corners: Index, p: Array, xi: float, eta: float) -> float:
-    """(p - r(xi, eta)) . n, positive in front of the segment."""
-    n0, n1, n2 = normal(x, corners, xi, eta)
-    g = 0.0
-    for i in range(4):
-        weight = shape(i, xi, eta)
-        c = corners[i]
-        g += weight * ((p[0] - x[c, 0]) * n0 + (p[1] - x[c, 1]) * n1 + (p[2] - x[c, 2]) * n2)
-    return g
 
 
 @kernel
@@ -158,53 +127,54 @@ def penalise(
     segment: Index, weights: Array, forces: Array, force: Array, energy: Array,
 ) -> None:  # fmt: skip
     """Add contact forces at x_n; the work of the step dt, with v_{n-1/2}, is 1/2 (f_{n-1} + f_n) . dx relative."""
-    point = np.empty(3)
+    point, relative = np.empty(3), np.empty(3)
     force[:] = 0.0
     for t in range(tracked.size):
-        node = tracked[t]
-        if segment[t] >= 0:
-            energy[0] -= 0.5 * dt * power(v, node, segments[segment[t]], weights[t], forces[t])
-        s = nearest(x, x[node], segments, point)
+        node, s = tracked[t], segment[t]
+        if s >= 0:
+            relative_velocity(relative, v, node, segments[s], weights[t])
+            energy[0] -= 0.5 * dt * dot(forces[t], relative)
+
+        s = nearest(x, node, segments, point)
         if s >= 0 and point[2] < 0.0:
             for i in range(4):
                 weights[t, i] = shape(i, point[0], point[1])
+            relative_velocity(relative, v, node, segments[s], weights[t])
             # Contact begins by passing through the surface within the step, not behind an edge.
-            if segment[t] < 0 and -point[2] > 1.01 * dt * relative_speed(v, node, segments[s], weights[t]):
+            if segment[t] < 0 and -point[2] > 1.01 * dt * np.sqrt(dot(relative, relative)):
                 s = -1
         else:
             s = -1
+
         segment[t] = s
         if s >= 0:
-            n0, n1, n2 = normal(x, segments[s], point[0], point[1])
-            push = -min(stiffness[s], nodal[t]) * point[2]
-            forces[t, 0], forces[t, 1], forces[t, 2] = push * n0, push * n1, push * n2
+            push(forces[t], x, segments[s], point, min(stiffness[s], nodal[t]))
+            energy[0] -= 0.5 * dt * dot(forces[t], relative)
             for j in range(3):
                 force[j] += forces[t, j]
                 f[node, j] += forces[t, j]
                 for i in range(4):
                     f[segments[s, i], j] -= weights[t, i] * forces[t, j]
-            energy[0] -= 0.5 * dt * power(v, node, segments[s], weights[t], forces[t])
 
 
 @kernel
-def power(v: Array, node: int, corners: Index, weights: Array, push: Array) -> float:
-    """f . (v - sum N_i v_i): the power of the contact on both of its sides."""
-    p = 0.0
+def push(on_node: Array, x: Array, corners: Index, point: Array, k: float) -> None:
+    """f = -k g n at `point` = xi, eta, g of the segment."""
+    n = normal(x, corners, point[0], point[1])
     for j in range(3):
-        relative = v[node, j]
-        for i in range(4):
-            relative -= weights[i] * v[corners[i], j]
-        p += push[j] * relative
-    return p
+        on_node[j] = -k * point[2] * n[j]
 
 
 @kernel
-def relative_speed(v: Array, node: int, corners: Index, weights: Array) -> float:
-    """|v - sum N_i v_i|."""
-    square = 0.0
+def relative_velocity(relative: Array, v: Array, node: int, corners: Index, weights: Array) -> None:
+    """v - sum N_i v_i, the velocity of the node against the point that it touches."""
     for j in range(3):
-        relative = v[node, j]
+        relative[j] = v[node, j]
         for i in range(4):
-            relative -= weights[i] * v[corners[i], j]
-        square += relative * relative
-    return float(np.sqrt(square))
+            relative[j] -= weights[i] * v[corners[i], j]
+
+
+@kernel
+def dot(a: Array, b: Array) -> float:
+    """a . b in space."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]

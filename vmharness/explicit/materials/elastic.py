@@ -12,7 +12,7 @@ tuple that the material makes once. `dt` serves laws that depend on the rate. Th
 state if it can be avoided: the law is inlined in a loop over elements, which then vectorises.
 """
 
-from vmharness.deck import Card, Keyword, only, real, integer, skip
+from vmharness.deck import Card, Keyword, integer, only, real, skip
 from vmharness.explicit.state import Array
 from vmharness.explicit.vector import inlined
 

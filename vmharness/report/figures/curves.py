@@ -49,7 +49,7 @@ def _curve(run: CaseRun, history: History, name: str) -> Curve:
     size = float(np.abs(theory).max())
     allowed = _allowed(run, name)
     # Differences far below what is allowed are round-off; drawn, they would be noise that no two machines share.
-    finest = max(1e-3 * min((difference for _, difference in allowed.values()), default=0.0), 1e-9 * size)
+    finest = max([1e-9 * size, *(1e-3 * difference for _, difference in allowed.values())])
     return Curve(
         channel=name,
         label=line.text or name,

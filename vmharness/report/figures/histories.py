@@ -1,6 +1,6 @@
 """Computed history with theory over it, events marked, and the difference below."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -8,35 +8,54 @@ from vmharness.events import Event
 from vmharness.report.figures import svg
 from vmharness.report.figures.characters import ten_to, unit
 from vmharness.report.figures.curves import Curve
+from vmharness.report.figures.key import Entry, key
+from vmharness.report.figures.note import note
 from vmharness.result import CaseRun
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 COLOURS = ("#0b5394", "#b45309", "#3f7d20", "#7b3294", "#444444")  # apart in print and for the colour-blind
 MARKERS = ("o", "s", "D", "^", "v")
 THEORY_EVERY = 12
 QUIET, INK = "#5b6670", "#1b2733"
-LETTER = 0.0105  # width of a letter of a title, as a fraction of the axes
+LETTER = 0.011  # width of a letter of an event's title, as a fraction of the axes
+TITLED = 0.3  # of the axes, where their own title stands
 
 
 def draw(run: CaseRun, name: str, together: list[Curve], solver: str) -> str:
     """SVG of curves of one unit: computed as lines, theory as hollow marks, their difference below."""
-    import matplotlib
     from matplotlib.figure import Figure
 
-    with matplotlib.rc_context(svg.STYLE):
-        figure = Figure(figsize=(7.4, 5.1))
-        above, below = figure.subplots(2, 1, sharex=True, height_ratios=(2.6, 1.2))
-        figure.subplots_adjust(left=0.115, right=0.975, top=0.87, bottom=0.095, hspace=0.1)
+    with svg.style(f"{run.case.id}-{name}"):
+        entries = _entries(together, solver)
+        rows = [entries[first : first + 3] for first in range(0, len(entries), 3)]
+        under = 0.57 + 0.22 * len(rows)  # inches: labels of time, and the rows of the key
+        figure = Figure(figsize=(6.6, 4.3 + under))
+        above, below = _panels(figure, under / (4.3 + under))
         above.set_xlim(together[0].time[0], together[0].time[-1])
-        _values(above, together, solver, quantity(run, together))
+        _values(above, together)
         _residuals(below, together)
         _events(above, below, run)
-        below.set_xlabel(f"Time ({run.case.file.units.time})")
-        figure.align_ylabels([above, below])
+        _title(above, quantity(run, together), unit(together[0].unit))
+        time = f"Time ({run.case.file.units.time})"
+        note(below, time, (1.0, 0.0), (0, -26), xycoords="axes fraction", ha="right", color=INK)
+        for number, row in enumerate(reversed(rows)):
+            key(figure, row, start=(43.0, 12.0 + 16.0 * number), step=(143.0, 0.0))
         labels = ", ".join(curve.label.lower() for curve in together)
-        return svg.text(figure, f"{run.case.id}-{name}", f"Computed and theoretical history: {labels}")
+        return svg.text(figure, f"Computed and theoretical history: {labels}")
+
+
+def _panels(figure: "Figure", bottom: float) -> tuple["Axes", "Axes"]:
+    """Axes for values and, below, for differences, over one axis of time."""
+    above, below = figure.subplots(2, 1, sharex=True, height_ratios=(2.6, 1.2))
+    figure.subplots_adjust(left=0.09, right=0.97, top=0.865, bottom=bottom, hspace=0.24)
+    for axes in (above, below):
+        axes.grid(True)
+        axes.set_axisbelow(True)
+        axes.spines[["top", "right"]].set_visible(False)
+    return above, below
 
 
 def quantity(run: CaseRun, together: list[Curve]) -> str:
@@ -46,33 +65,38 @@ def quantity(run: CaseRun, together: list[Curve]) -> str:
     return ", ".join(curve.label for curve in together)
 
 
-def _values(axes: "Axes", together: list[Curve], solver: str, quantity: str) -> None:
-    alone = len(together) == 1
-    for number, (curve, colour, marker) in enumerate(zip(together, COLOURS, MARKERS, strict=False)):
-        axes.plot(
-            curve.time,
-            curve.computed,
-            color=colour,
-            linewidth=1.5,
-            label=solver if alone else f"{curve.label}, {solver}",
-        )
+def _entries(together: list[Curve], solver: str) -> list[Entry]:
+    """The key: of one curve its line and its mark, of several each by its name."""
+    if len(together) == 1:
+        return [(solver, _line(0)), ("theory", _mark(0))]
+    return [
+        (curve.label, {**_line(number), **_mark(number), "linestyle": "-"})
+        for number, curve in enumerate(together)
+    ]
+
+
+def _line(number: int) -> dict[str, Any]:
+    return {"color": COLOURS[number % len(COLOURS)], "linewidth": 1.5}
+
+
+def _mark(number: int) -> dict[str, Any]:
+    return {
+        "linestyle": "none",
+        "marker": MARKERS[number % len(MARKERS)],
+        "markersize": 4.2,
+        "markerfacecolor": "white",
+        "markeredgecolor": COLOURS[number % len(COLOURS)],
+        "clip_on": False,
+    }
+
+
+def _values(axes: "Axes", together: list[Curve]) -> None:
+    for number, curve in enumerate(together):
+        axes.plot(curve.time, curve.computed, **_line(number))
         # Marks of several curves take turns, so that they do not hide one another.
         marked = slice(THEORY_EVERY * number // len(together), None, THEORY_EVERY)
-        axes.plot(
-            curve.time[marked],
-            curve.theory[marked],
-            linestyle="none",
-            marker=marker,
-            markersize=4.2,
-            markerfacecolor="white",
-            markeredgecolor=colour,
-            clip_on=False,
-            label="theory" if alone else f"{curve.label}, theory",
-        )
-    axes.set_ylabel(_axis(quantity, unit(together[0].unit)))
+        axes.plot(curve.time[marked], curve.theory[marked], **_mark(number))
     axes.margins(y=0.08)
-    axes.legend(loc="best", framealpha=0.92, edgecolor="none", fontsize=8, handlelength=1.8)
-    _grid(axes)
 
 
 def _residuals(axes: "Axes", together: list[Curve]) -> None:
@@ -82,50 +106,44 @@ def _residuals(axes: "Axes", together: list[Curve]) -> None:
     power = int(np.floor(np.log10(max(reach)))) if max(reach) > 0.0 else 0
     scale = 10.0**-power
     axes.axhline(0.0, color=QUIET, linewidth=0.6)
-    for curve, colour in zip(together, COLOURS, strict=False):
-        axes.plot(curve.time, curve.residual * scale, color=colour, linewidth=1.2)
+    for number, curve in enumerate(together):
+        axes.plot(curve.time, curve.residual * scale, **_line(number))
         for t, allowed in curve.allowed.values():
-            axes.errorbar(t, 0.0, yerr=allowed * scale, color=colour, capsize=3.5, elinewidth=1.0)
+            axes.errorbar(
+                t, 0.0, yerr=allowed * scale, color=_line(number)["color"], capsize=3.5, elinewidth=1.0
+            )
     limit = 1.2 * max(reach) * scale or 1.0
     axes.set_ylim(-limit, limit)
-    axes.set_ylabel(_axis("Difference", " ".join(filter(None, [ten_to(power), unit(together[0].unit)]))))
+    _title(axes, "Difference from theory", " ".join(filter(None, [ten_to(power), unit(together[0].unit)])))
     axes.locator_params(axis="y", nbins=5)
-    _grid(axes)
 
 
 def _events(above: "Axes", below: "Axes", run: CaseRun) -> None:
     """A vertical line where each event was found, its title on top; titles that would collide take turns upward."""
     first, last = above.get_xlim()
-    level, reached = 0, -np.inf
+    level, reached = 0, TITLED
     found = {name: event for name, event in run.events.items() if isinstance(event, Event)}
     for name, event in sorted(found.items(), key=lambda item: item[1].time):
         t, title = float(f"{event.time:.6g}"), run.case.file.events[name].title
         for axes in (above, below):
             axes.axvline(t, color=QUIET, linewidth=0.8, linestyle=(0, (4, 3)), zorder=0.5)
         half = LETTER * max(len(title), 10) / 2
-        middle = min((t - first) / (last - first), 1.04 - half)
+        middle = min((t - first) / (last - first), 1.02 - half)
         level = 1 - level if middle - half < reached else 0
         reached = middle + half
-        above.annotate(
+        note(
+            above,
             f"{title}\n{t:.6g} {run.case.file.units.time}",
             (middle, 1.0),
-            (0, 5 + 24 * level),
+            (0, 6 + 24 * level),
+            size=8,
             xycoords="axes fraction",
-            textcoords="offset points",
             ha="center",
-            va="bottom",
-            fontsize=8,
             color=INK,
-            linespacing=1.25,
         )
 
 
-def _grid(axes: "Axes") -> None:
-    axes.grid(True)
-    axes.set_axisbelow(True)
-    axes.spines[["top", "right"]].set_visible(False)
-
-
-def _axis(label: str, unit_text: str) -> str:
-    return f"{label} ({unit_text})" if unit_text else label
-
+def _title(axes: "Axes", what: str, unit_text: str) -> None:
+    """What the vertical axis is, on top of it."""
+    title = f"{what} ({unit_text})" if unit_text else what
+    note(axes, title, (0.0, 1.0), (0, 7), xycoords="axes fraction", color=INK)

@@ -5,7 +5,7 @@ from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from vmharness.compare import Verdict
-from vmharness.report.number import decimals, significant
+from vmharness.report.number import decimals, positional, significant
 from vmharness.result import CaseRun, Row
 
 # What XML 1.0 cannot hold, even escaped.
@@ -52,7 +52,7 @@ def _test(run: CaseRun, row: Row) -> Element:
     SubElement(test, "system-out").text = _legal(
         f"{row.event}, {row.label} ({row.unit}): target {significant(comparison.target)}, "
         f"value {significant(comparison.value)}, error {decimals(comparison.error_percent)} %, "
-        f"tolerance {decimals(comparison.tolerance_percent)} %"
+        f"tolerance {positional(comparison.tolerance_percent)} %"
     )
     return test
 
@@ -69,7 +69,10 @@ def _verdict(test: Element, verdict: Verdict, reason: str) -> Element:
 
 
 def _totals(suites: list[Element]) -> dict[str, str]:
-    counts = {name: str(sum(int(suite.attrib[name]) for suite in suites)) for name in ("tests", "failures", "errors")}
+    counts = {
+        name: str(sum(int(suite.attrib[name]) for suite in suites))
+        for name in ("tests", "failures", "errors")
+    }
     return {**counts, "time": f"{sum(float(suite.attrib['time']) for suite in suites):.3f}"}
 
 

@@ -2,6 +2,7 @@
 
 import datetime
 import platform
+from collections.abc import Callable
 from pathlib import Path
 
 from vmharness import __version__
@@ -67,7 +68,9 @@ def _events(run: CaseRun) -> dict[str, str]:
     """When each event was found, and how far the sampling leaves that open."""
     unit = run.case.file.units.time
     return {
-        run.case.file.events[name].title: f"{event.time:.9g} {unit}, sampling leaves {event.uncertainty:.1g} {unit} open"
+        run.case.file.events[
+            name
+        ].title: f"{event.time:.9g} {unit}, sampling leaves {event.uncertainty:.1g} {unit} open"
         for name, event in run.events.items()
         if isinstance(event, Event)
     }
@@ -93,13 +96,14 @@ def _processor() -> str:
     return models[0] if models else platform.processor() or platform.machine()
 
 
-def _filters() -> dict[str, object]:
+def _filters() -> dict[str, Callable[..., str]]:
     return {
         "significant": lambda value: _minus(number.significant(value)),
         "short": lambda value: _minus(number.short(value)),
         "decimals": lambda value, places=4: _minus(number.decimals(value, places)),
         "minus": _minus,
         "share": number.share,
+        "positional": number.positional,
         "unit": lambda text: Unit(text).html() or "–",
     }
 

@@ -1,6 +1,7 @@
 """The manual as Markdown that a code host renders: the same bytes wherever the same results are written."""
 
 import os
+from collections.abc import Callable
 from pathlib import Path
 
 from vmharness.report import equations, number, wording
@@ -34,19 +35,26 @@ def index(index: Index) -> str:
     return render("index.md.j2", _filters(), index=index, wording=wording)
 
 
-def _filters() -> dict[str, object]:
+def _filters() -> dict[str, Callable[..., str]]:
     return {
         "significant": number.significant,
         "short": number.short,
         "decimals": number.decimals,
         "share": number.share,
+        "positional": number.positional,
         "cell": _cell,
+        "plain": _plain,
     }
+
+
+def _plain(text: str) -> str:
+    """Text in which no tag is hidden."""
+    return text.replace("<", "&lt;")
 
 
 def _cell(text: str) -> str:
     """Text that stays in its cell of a table."""
-    return " ".join(str(text).replace("|", "\\|").split())
+    return " ".join(_plain(text).replace("|", "\\|").split())
 
 
 def _relative(path: Path, folder: Path) -> str:

@@ -2,27 +2,28 @@
 
 from collections.abc import Callable, Mapping
 from functools import cache
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from jinja2 import Environment
 
 
-def render(template: str, filters: Mapping[str, Callable[..., Any]], **context: Any) -> str:
+def render(template: str, filters: Mapping[str, Callable[..., str]], **context: Any) -> str:
     """The template with its context; `.html.j2` templates escape what they are given."""
-    environment = _environment()
+    environment = _environment(template.partition(".")[2])
     environment.filters.update(filters)
     return environment.get_template(template).render(**context)
 
 
 @cache
-def _environment() -> "Environment":
+def _environment(kind: str) -> "Environment":
+    """One for each kind of page, for their filters differ; it keeps the templates that it has compiled."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
-    from pathlib import Path
 
     return Environment(
         loader=FileSystemLoader(Path(__file__).parent),
-        autoescape=lambda name: name is not None and name.endswith(".html.j2"),
+        autoescape=kind.startswith("html"),
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,

@@ -1,0 +1,40 @@
+import json
+import os
+import signal
+from pathlib import Path
+
+import pytest
+
+
+def workers_of(process):
+    """Ids of the worker processes that `process` started."""
+    children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+    return [pid for pid in children if "spawn_main" in Path(f"/proc/{pid}/cmdline").read_text()]
+
+
+@pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="reads /proc")
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
+def test_ctrl_c_keeps_what_is_done_and_ends_every_worker(ball, vm_process, name):
+    ball(id="done")
+    ball(id="endless", density="7.3E-16")
+    ball(id="never")
+    process = vm_process("run", "done", "endless", "never", "--json", "r.json")
+    while not (line := process.stdout.readline()).startswith("done: pass"):
+        assert line, process.stderr.read()
+    workers = workers_of(process)
+    assert workers
+    if name == "SIGINT":
+        os.killpg(process.pid, signal.SIGINT)  # as a terminal does: to the workers, too
+    else:
+        process.send_signal(signal.SIGTERM)
+    out, err = process.communicate()
+    assert process.returncode == 2
+    assert "interrupted; what is done is kept" in err
+    assert "Traceback" not in out + err
+    assert "2 not run, 1 pass" in out
+    assert [case["id"] for case in json.loads(Path("r.json").read_text())["cases"]] == ["done"]
+    assert Path("reports/done/index.html").is_file()
+    last = json.loads(Path("reports/.last-run.json").read_text())
+    assert last == {"done": "pass", "endless": "not run", "never": "not run"}
+    for worker in workers:
+        assert not Path(f"/proc/{worker}").exists()

@@ -1,0 +1,18 @@
+from vmharness.suite import last_run
+from vmharness.suite.outcome import Outcome, Status
+
+
+def test_what_did_not_pass_is_kept_until_it_does(tmp_path):
+    last_run.write(
+        tmp_path, [Outcome("a", Status.PASS), Outcome("b", Status.FAIL), Outcome("c", Status.NOT_RUN)]
+    )
+    assert last_run.not_passed(tmp_path) == {"b", "c"}
+    last_run.write(tmp_path, [Outcome("b", Status.PASS)])
+    assert last_run.not_passed(tmp_path) == {"c"}
+
+
+def test_no_file_or_a_damaged_one_is_no_last_run(tmp_path):
+    assert last_run.not_passed(tmp_path) == set()
+    for text in ("", "[1]", "{"):
+        (tmp_path / last_run.FILE).write_text(text)
+        assert last_run.not_passed(tmp_path) == set()

@@ -1,0 +1,74 @@
+"""Imports point one way: every module may import from its own layer's right only."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+PACKAGE = Path(__file__).parents[1] / "vmharness"
+
+# A module of a layer imports from layers before it, and from its own. What stands in one layer together is independent.
+LAYERS = [
+    {"dropins"},
+    {"formula", "history", "events", "compare", "deck"},
+    {"explicit", "case"},
+    {"result"},
+    {"measure"},
+    {"evidence"},
+    {"backends"},
+    {"run"},
+    {"report"},
+    {"suite"},
+    {"cli"},
+    {"__main__"},
+]
+LEVEL = {name: level for level, layer in enumerate(LAYERS) for name in layer}
+APART = {
+    "formula",
+    "history",
+    "events",
+    "compare",
+    "deck",
+    "explicit",
+    "case",
+}  # these know nothing of their neighbours
+
+
+def layer_of(path: Path) -> str:
+    return path.relative_to(PACKAGE).parts[0].removesuffix(".py")
+
+
+def imported(path: Path) -> set[str]:
+    """First names below vmharness that a module imports, wherever in it."""
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.ImportFrom) and node.module and node.module.split(".")[0] == "vmharness":
+            names = node.module.split(".")[1:2] or [alias.name for alias in node.names]
+            found.update(names)
+        elif isinstance(node, ast.Import):
+            found.update(a.name.split(".")[1] for a in node.names if a.name.startswith("vmharness."))
+    return found - {"__version__"}
+
+
+MODULES = sorted(path for path in PACKAGE.rglob("*.py") if path != PACKAGE / "__init__.py")
+
+
+@pytest.mark.parametrize("path", MODULES, ids=lambda path: str(path.relative_to(PACKAGE)))
+def test_imports_point_one_way(path):
+    own = layer_of(path)
+    assert own in LEVEL, f"{own} has no layer: add it where it belongs"
+    for name in imported(path) - {own}:
+        assert LEVEL[name] < LEVEL[own] or (LEVEL[name] == LEVEL[own] and not {name, own} <= APART), (
+            f"{own} imports {name}"
+        )
+
+
+def test_the_solver_knows_nothing_of_the_harness():
+    for path in (PACKAGE / "explicit").rglob("*.py"):
+        assert imported(path) <= {"deck", "dropins", "explicit"}, path
+
+
+def test_the_check_can_fail(tmp_path):
+    wrong = tmp_path / "wrong.py"
+    wrong.write_text("def f():\n    from vmharness.report import page\n    import vmharness.cli.say\n")
+    assert imported(wrong) == {"report", "cli"}

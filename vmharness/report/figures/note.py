@@ -1,0 +1,23 @@
+"""Text in a drawing, placed by its baseline, line by line: how high letters are is up to the version of a font."""
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+SPACING = 1.3  # lines, in sizes of the letters
+MIDDLE = -0.35  # baseline of a line whose middle is at a height, in sizes of the letters
+
+
+def note(
+    axes: "Axes",
+    text: str,
+    at: Any,
+    offset: tuple[float, float] = (0.0, 0.0),
+    size: float = 9.0,
+    **style: Any,
+) -> None:
+    """Write lines of text, the last of them with its baseline at `at` plus `offset` (points)."""
+    for number, line in enumerate(reversed(text.split("\n"))):
+        place = (offset[0], offset[1] + number * SPACING * size)
+        axes.annotate(line, at, place, textcoords="offset points", va="baseline", fontsize=size, **style)
