@@ -24,7 +24,9 @@ def compare(name: str, command: list[str], beside: str, least: list[str], allowe
     with tempfile.TemporaryDirectory() as folder:
         pairs = [(seconds(command, folder), seconds(least, folder)) for _ in range(RUNS + 1)][1:]
     ours, theirs = (median(column) for column in zip(*pairs, strict=True))
-    print(f"{name:24} {ours:7.3f} s   {beside:40} {theirs:7.3f} s   ratio {ours / theirs:5.2f}   (at most {allowed:g})")
+    print(
+        f"{name:24} {ours:7.3f} s   {beside:40} {theirs:7.3f} s   ratio {ours / theirs:5.2f}   (at most {allowed:g})"
+    )
 
 
 if __name__ == "__main__":
@@ -36,4 +38,10 @@ if __name__ == "__main__":
         [python, "-c", "import numba, matplotlib.figure"],
         allowed=4.0,
     )
-    compare("vm --help", [VM, "--help"], "a bare click program --help", [python, "-c", BARE, "--help"], allowed=3.0)
+    compare(
+        "vm --help",
+        [VM, "--help"],
+        "a bare click program --help",
+        [python, "-c", BARE, "--help"],
+        allowed=3.0,
+    )

@@ -85,7 +85,9 @@ class History:
     def to_csv(self, path: Path) -> None:
         """Write all samples with every digit they have, so that `from_csv` gives the same numbers."""
         table = np.column_stack([self.time, *self.channels.values()])
-        np.savetxt(path, table, fmt="%.17g", delimiter=",", header=",".join(["time", *self.channels]), comments="")
+        np.savetxt(
+            path, table, fmt="%.17g", delimiter=",", header=",".join(["time", *self.channels]), comments=""
+        )
 
     @classmethod
     def from_csv(cls, path: Path) -> "History":

@@ -30,7 +30,7 @@ class Case:
     dimensions: Mapping[str, Dimension]  # of data and theory
     theory: Mapping[str, float]
     changed: frozenset[str] = frozenset()  # data that are not those of the file
-    planted: Mapping[str, float] = field(default_factory=dict)  # parameters of a deck that is wrong on purpose
+    planted: Mapping[str, float] = field(default_factory=dict)  # parameters of a deck wrong on purpose
 
     @property
     def values(self) -> dict[str, float]:

@@ -148,8 +148,7 @@ class Checks:
             self.formula(f"[deck.parameters] {name}", f"parameter {name}", text)
 
     def files(self) -> None:
-        figure = [self.file.figure] if self.file.figure else []
-        for name in [self.file.deck.file, *figure, *self.file.files]:
+        for name in [self.file.deck.file, *self.file.files]:
             if not (self.folder / name).resolve().is_relative_to(self.folder.resolve()):
                 raise self.wrong(name, "lies outside the case's folder")
             if not (self.folder / name).is_file():

@@ -164,7 +164,6 @@ class CaseFile(Table, frozen=True):
     ] = "analytic"
     budget: list[Budget] = []
     published: list[Published] = []
-    figure: Annotated[Text | None, Meta(description="A drawing of the problem, SVG")] = None
     files: Annotated[list[Text], Meta(description="Further input files to offer beside the deck")] = []
 
 

@@ -15,7 +15,7 @@ from vmharness.explicit.vector import Vector, inlined
 
 Indices = NDArray[np.intp]
 
-LANES = 8
+LANES = 16  # LLVM does not vectorise shorter loops when it has to check that arrays are apart
 
 # Rows of the buffer. The nodes' rows hold node 1 x, y, z, node 2 x, y, z, ...; the others up to three components each.
 X, V, OMEGA = 0, 12, 24
@@ -57,35 +57,38 @@ def put_corners(work: Array, row: int, e: int, a: Corners) -> None:
 
 
 @kernel
-def gather(field: Array, nodes: Indices, block: int, work: Array, row: int) -> None:
+def gather(field: Array, nodes: Indices, work: Array, row: int) -> None:
     """Copy the nodes' vectors of a field (n, 3) into the buffer."""
     for e in range(LANES):
         for i in range(4):
-            node = nodes[block, i, e]
+            node = nodes[i * LANES + e]
             for k in range(3):
                 work[(row + 3 * i + k) * LANES + e] = field[node, k]
 
 
 @kernel
-def scatter(field: Array, nodes: Indices, block: int, count: int, work: Array, row: int) -> None:
+def scatter(field: Array, nodes: Indices, count: int, work: Array, row: int) -> None:
     """Subtract internal forces (or moments) from a field (n, 3), element after element: the same sum every run."""
     for e in range(count):
         for i in range(4):
-            node = nodes[block, i, e]
+            node = nodes[i * LANES + e]
             for k in range(3):
                 field[node, k] -= work[(row + 3 * i + k) * LANES + e]
 
 
 def by_block(a: Array) -> Array:
-    """Order of the lanes: (ne, ...) -> flat (blocks, ..., LANES); the last element is repeated to fill its block.
+    """(ne, ..., k) -> (blocks, ..., k rows of LANES); the last element is repeated to fill its block.
 
-    >>> by_block(np.array([[1.0, 2.0], [3.0, 4.0]]))[:: LANES // 2]
-    array([1., 3., 2., 4.])
+    >>> by_block(np.array([[1.0, 2.0], [3.0, 4.0]]))[:, [0, 1, LANES, LANES + 1]]
+    array([[1., 3., 2., 4.]])
     """
     filled = np.concatenate([a, np.repeat(a[-1:], -len(a) % LANES, axis=0)])
-    return np.moveaxis(filled.reshape(len(filled) // LANES, LANES, *a.shape[1:]), 1, -1).ravel()
+    blocks = len(filled) // LANES
+    by_lane = np.moveaxis(filled.reshape(blocks, LANES, *a.shape[1:]), 1, -1)
+    return np.ascontiguousarray(by_lane.reshape(blocks, *a.shape[1:-1], a.shape[-1] * LANES))
 
 
-def by_element(flat: Array, elements: int, *shape: int) -> Array:
-    """The way back: flat (blocks, ..., LANES) -> (ne, ...)."""
-    return np.moveaxis(flat.reshape(-1, *shape, LANES), -1, 1).reshape(-1, *shape)[:elements]
+def by_element(a: Array, elements: int) -> Array:
+    """The way back: (blocks, ..., k rows of LANES) -> (ne, ..., k)."""
+    by_lane = np.moveaxis(a.reshape(*a.shape[:-1], a.shape[-1] // LANES, LANES), -1, 1)
+    return by_lane.reshape(-1, *by_lane.shape[2:])[:elements]

@@ -46,12 +46,12 @@ class BelytschkoTsay:
 
         self.name = name
         self.elements, self.nip = elements, nip
-        self._shrf, self._constants, self._variables = float(shrf), constants, history
+        self._shrf, self._constants = float(shrf), constants
         self._viscous = control.viscous
         self._wave_speed = wave_speed(stiffness, density, isdo)
         self._length = np.inf
         self._points = np.stack(np.polynomial.legendre.leggauss(nip), axis=1)
-        self._nodes = by_block(nodes.astype(np.intp)).reshape(-1, 4, LANES)
+        self._nodes = by_block(nodes.astype(np.intp))
         self._section = by_block(np.column_stack([thickness, *C]))
         self._stress = by_block(np.zeros((elements, nip, 5)))
         self._hourglass = by_block(np.zeros((elements, 5)))
@@ -76,7 +76,6 @@ class BelytschkoTsay:
             self._constants,
             self._stress,
             self._history,
-            self._variables,
             self._viscous,
             self._hourglass,
             state.f,
@@ -92,7 +91,7 @@ class BelytschkoTsay:
     @property
     def stress(self) -> Array:
         """Stress (ne, nip, 5) in the elements' frames, from the lowest point up: xx, yy, xy, yz, zx."""
-        return by_element(self._stress, self.elements, self.nip, 5)
+        return by_element(self._stress, self.elements)
 
     @stress.setter
     def stress(self, stress: Array) -> None:
@@ -101,7 +100,7 @@ class BelytschkoTsay:
     @property
     def hourglass(self) -> Array:
         """Hourglass forces x, y, z and moments x, y (ne, 5) in the elements' frames."""
-        return by_element(self._hourglass, self.elements, 5)
+        return by_element(self._hourglass, self.elements)
 
 
 @cache

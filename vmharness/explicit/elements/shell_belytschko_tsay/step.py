@@ -1,8 +1,9 @@
 """One step of many shells: gather, rates at mid-step, stresses, forces at the end of the step, scatter.
 
-Per block of LANES elements (lanes.py): `nodes (blocks, 4, LANES)`, and flat `section` (thickness and the three
-hourglass moduli), `hourglass` (Q x, y, z and R x, y), `stress` (by point: xx, yy, xy, yz, zx) and `history`. The last
-block is filled up with copies of the last element, which add neither force nor energy.
+Arrays per block of LANES elements, with rows as in lanes.py: `nodes (blocks, 4 rows)`; `section (blocks, 4 rows)`,
+thickness and the three hourglass moduli; `stress (blocks, nip, 5 rows)`, xx, yy, xy, yz, zx; `history (blocks, nip,
+rows)`; `hourglass (blocks, 5 rows)`, Q x, y, z and R x, y. The last block is filled up with copies of the last
+element, which add neither force nor energy.
 """
 
 import numpy as np
@@ -72,22 +73,19 @@ def stress_at_point(
     work: Array,
     dt: float,
     section: Array,
-    own: int,
     zeta: float,
     weight: float,
     shrf: float,
     constants: tuple[float, ...],
     stress: Array,
-    at: int,
     history: Array,
-    past: int,
 ) -> None:
     """Update the stress at height z = zeta t/2 and add its share to resultants and work, with dz = weight t/2.
 
     N = int s dz,   M = int z s dz,   S = kappa int s dz,   work = A int 1/2 (s_{n-1} + s_n) de dz
     """
     for e in range(LANES):
-        thickness = section[own + e]
+        thickness = section[e]
         z, dz = 0.5 * thickness * zeta, 0.5 * thickness * weight
         membrane, curvature, shear = (
             vector(work, MEMBRANE, e),
@@ -96,15 +94,15 @@ def stress_at_point(
         )
         dexx, deyy, dexy = add(membrane, scale(z, curvature))
         deyz, dezx, _ = shear
-        pxx, pyy, pxy = vector(stress, 0, at + e)
-        pyz, pzx = stress[at + 3 * LANES + e], stress[at + 4 * LANES + e]
+        pxx, pyy, pxy = vector(stress, 0, e)
+        pyz, pzx = stress[3 * LANES + e], stress[4 * LANES + e]
 
         sxx, syy, sxy, syz, szx, _ = law(
-            constants, dt, dexx, deyy, dexy, deyz, dezx, pxx, pyy, pxy, pyz, pzx, history, past + e, LANES
+            constants, dt, dexx, deyy, dexy, deyz, dezx, pxx, pyy, pxy, pyz, pzx, history, e, LANES
         )
 
-        put(stress, 0, at + e, (sxx, syy, sxy))
-        stress[at + 3 * LANES + e], stress[at + 4 * LANES + e] = syz, szx
+        put(stress, 0, e, (sxx, syy, sxy))
+        stress[3 * LANES + e], stress[4 * LANES + e] = syz, szx
         put(work, N, e, add(vector(work, N, e), scale(dz, (sxx, syy, sxy))))
         put(work, M, e, add(vector(work, M, e), scale(z * dz, (sxx, syy, sxy))))
         put(work, S, e, add(vector(work, S, e), scale(shrf * dz, (syz, szx, 0.0))))
@@ -114,21 +112,19 @@ def stress_at_point(
 
 
 @kernel
-def hourglass_force(
-    work: Array, dt: float, section: Array, own: int, viscous: bool, hourglass: Array, at: int
-) -> None:
+def hourglass_force(work: Array, dt: float, section: Array, viscous: bool, hourglass: Array) -> None:
     """Hourglass forces Q += C q dt (stiffness) or Q = c q (viscous), and their work 1/2 (Q_{n-1} + Q_n) q dt."""
     memory, gain = (0.0, 1.0) if viscous else (1.0, dt)
     for e in range(LANES):
-        membrane, warping, bending = vector(section, 1, own + e)
+        membrane, warping, bending = vector(section, 1, e)
         q, r = vector(work, Q, e), vector(work, R, e)
-        Q_past = vector(hourglass, 0, at + e)
-        R_past = (hourglass[at + 3 * LANES + e], hourglass[at + 4 * LANES + e], 0.0)
+        Q_past = vector(hourglass, 0, e)
+        R_past = (hourglass[3 * LANES + e], hourglass[4 * LANES + e], 0.0)
         Q_now = add(scale(memory, Q_past), scale(gain, (membrane * q[0], membrane * q[1], warping * q[2])))
         R_now = add(scale(memory, R_past), scale(gain * bending, r))
 
-        put(hourglass, 0, at + e, Q_now)
-        hourglass[at + 3 * LANES + e], hourglass[at + 4 * LANES + e] = R_now[0], R_now[1]
+        put(hourglass, 0, e, Q_now)
+        hourglass[3 * LANES + e], hourglass[4 * LANES + e] = R_now[0], R_now[1]
         put(work, Q, e, Q_now)
         put(work, R, e, R_now)
         work[HOURGLASS_WORK * LANES + e] = (
@@ -166,7 +162,6 @@ def step(
     constants: tuple[float, ...],
     stress: Array,
     history: Array,
-    variables: int,
     viscous: bool,
     hourglass: Array,
     f: Array,
@@ -176,39 +171,26 @@ def step(
 ) -> float:
     """Bring stresses to t_n, add forces and moments there, and the step's work to `energy`; the shortest L_s.
 
-    `x`, `v`, `omega`, `f`, `moment` (n, 3); `points` (nip, 2): height -1..1 and weight of sum 2; `variables`: history
-    variables per point; `energy` (2,): internal, hourglass.
+    `x`, `v`, `omega`, `f`, `moment` (n, 3); `points` (nip, 2): height -1..1 and weight of sum 2; `energy` (2,):
+    internal, hourglass.
     """
-    nip = len(points)
     for e in range(LANES):
         work[LENGTH * LANES + e] = np.inf
     for block in range(len(nodes)):
-        gather(x, nodes, block, work, X)
-        gather(v, nodes, block, work, V)
-        gather(omega, nodes, block, work, OMEGA)
+        gather(x, nodes[block], work, X)
+        gather(v, nodes[block], work, V)
+        gather(omega, nodes[block], work, OMEGA)
         strain(work, dt)
-        own = 4 * block * LANES
-        for p in range(nip):
-            point = (block * nip + p) * LANES
+        for p in range(len(points)):
+            zeta, weight = points[p]
             stress_at_point(
-                work,
-                dt,
-                section,
-                own,
-                points[p, 0],
-                points[p, 1],
-                shrf,
-                constants,
-                stress,
-                5 * point,
-                history,
-                variables * point,
+                work, dt, section[block], zeta, weight, shrf, constants, stress[block, p], history[block, p]
             )
-        hourglass_force(work, dt, section, own, viscous, hourglass, 5 * block * LANES)
+        hourglass_force(work, dt, section[block], viscous, hourglass[block])
         force(work)
         count = min(LANES, elements - block * LANES)
-        scatter(f, nodes, block, count, work, F)
-        scatter(moment, nodes, block, count, work, MOMENT)
+        scatter(f, nodes[block], count, work, F)
+        scatter(moment, nodes[block], count, work, MOMENT)
         for e in range(count):
             energy[0] += work[WORK * LANES + e]
             energy[1] += work[HOURGLASS_WORK * LANES + e]
