@@ -6,7 +6,7 @@ Power of the resultants (per unit length, over the area A) and of the hourglass 
        + M_xx omega_y,x - M_yy omega_x,y + M_xy (omega_y,y - omega_x,x)) + Q . q + R . r
 
 The coefficients of v,x and v,y make the forces +-p of nodes 1, 3 and +-q of nodes 2, 4 through B; every node bears
-+-Q as the pattern h says, and the moments of the shear in equal parts (Belytschko, Lin, Tsay 1984, eq. 17).
++-Q as the pattern h says, and the moments of the shear in equal parts (Belytschko, Lin, Tsay 1984).
 """
 
 from vmharness.explicit.elements.shell_belytschko_tsay.frame import Corners, frame

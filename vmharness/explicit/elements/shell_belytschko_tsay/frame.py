@@ -5,7 +5,7 @@
       /     |_ e1         e1 = side 1-2 without its part along e3
      1 ------- 2          e2 = e3 x e1
 
-A bilinear field phi has at the centre the gradient (Belytschko, Lin, Tsay 1984, eq. 10)
+A bilinear field phi has at the centre the gradient (Belytschko, Lin, Tsay 1984)
 
     dphi/dx = B_1I phi_I,   B_1 = (y24, y31, y42, y13) / 2A,   y24 = y_2 - y_4, ...
     dphi/dy = B_2I phi_I,   B_2 = (x42, x13, x24, x31) / 2A

@@ -1,6 +1,6 @@
 """Hourglass control: resistance to the five patterns that one point in the plane does not feel.
 
-Stiffness form (IHQ 4, 5, 6; Belytschko, Lin, Tsay 1984, eq. 23; Hallquist, LS-DYNA Theory Manual, Belytschko-Lin-Tsay
+Stiffness form (IHQ 4, 5, 6; Belytschko, Lin, Tsay 1984; Hallquist, LS-DYNA Theory Manual, Belytschko-Lin-Tsay
 shell): forces Q conjugate to the rates q grow as dQ/dt = C q with
 
     membrane  C = QM E t A (B.B) / 8,   warping  C = QW kappa G t^3 (B.B) / 12,   bending  C = QB E t^3 A (B.B) / 192

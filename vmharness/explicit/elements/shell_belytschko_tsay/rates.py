@@ -1,7 +1,7 @@
 """Strain increments and hourglass increments of one step, from nodal velocities on the geometry at mid-step.
 
 Velocity at height z over the mid-surface: v + z (omega_y, -omega_x, 0). With one point in the plane
-(Belytschko, Lin, Tsay 1984, eq. 11)
+(Belytschko, Lin, Tsay 1984)
 
     d_xx = v_x,x + z omega_y,x        2 d_xy = v_x,y + v_y,x + z (omega_y,y - omega_x,x)
     d_yy = v_y,y - z omega_x,y        2 d_zx = v_z,x + omega_y,   2 d_yz = v_z,y - omega_x   (omega: the nodes' mean)
