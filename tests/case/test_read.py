@@ -50,7 +50,7 @@ def edited(tmp_path):
         ('length = "in"', 'length = "lbf"', r"\[units\]: "),
         ('onset_of = "contact_force"', 'onset_of = "force"', r"\[events\] impact: no channel force"),
         ('minimum_of = "z"', 'minimum_of = "z", level = "h"', r"\[events\] peak: level and direction go with crossing_of"),
-        ("node = 5, component", "node = 5, contact = 1, component", r"\[channels\] z: needs just one of node, contact"),
+        ("node = 5, component", "node = 5, contact = 1, component", r"\[channels\] z: needs just one of node, shell"),
         ('change    = { k = "+1 %" }', 'change    = { k = "1" }', r'\[faults\] 1: k = "1": write "\+1 %"'),
         ('change    = { k = "+1 %" }', 'change    = { kk = "+1 %" }', r"\[faults\] 1: no given datum kk"),
         ('must_fail = ["t_peak", "z_peak"]', "must_fail = []", r"\[faults\] 1.*length >= 1"),

@@ -23,7 +23,7 @@ v = np.zeros((4, 3))
 v[1:3, 0] = 1e-3
 n = np.zeros((4, 3))
 shell = BelytschkoTsay("s", np.array([[0, 1, 2, 3]]), x, np.ones(1), 1.0, elastic.plane_stress,
-                       elastic.constants(1000.0, 0.0), (1000.0, 0.0))
+                       (1000.0, 0.0), (1000.0, 0.0))
 shell.add(State(x + v, v, n, np.ones(4), np.ones(4), dt=1.0))
 print(shell.stress[0, 0, 0])
 """

@@ -18,8 +18,8 @@ from vmharness.explicit.error import SolverError
 from vmharness.explicit.loads.body import BodyLoad
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model import PARTS, Model, build
-from vmharness.explicit.parts import shell_parts
 from vmharness.explicit.probe import Probe, ProbeError
+from vmharness.explicit.shells import shell_parts
 from vmharness.history import History
 from vmharness.result import Solution, View
 
@@ -93,14 +93,17 @@ def record(
 
 def probe_of(model: Model, channel: Channel) -> Probe:
     """What shows a channel of a case; raises ProbeError where the model has no such thing."""
-    if channel.energy is not None:
-        return probe.energies(model, channel.energy)
     component = channel.component or ""
+    if channel.energy is not None:
+        return probe.energies(model, channel.energy, channel.part)
     if channel.node is not None:
         return probe.node(model, channel.node, component)
     if channel.contact is not None:
         return probe.contact(model, channel.contact, component)
-    return probe.support(model, component)
+    if channel.support is not None:
+        return probe.support(model, component)
+    kind = next(kind for kind in ("shell", "solid", "beam", "discrete") if getattr(channel, kind) is not None)
+    return probe.element(model, kind, getattr(channel, kind), component, channel.point)
 
 
 def _facts(model: Model, history: History) -> dict[str, str]:
@@ -113,7 +116,7 @@ def _facts(model: Model, history: History) -> dict[str, str]:
 
 def _view(deck: Deck, model: Model) -> View:
     shells = [part.nodes for part in shell_parts(deck, model)]
-    masses = [model.rows[int(nid)] for table in deck.all(ELEMENT_MASS) for nid in table.nid]
+    masses = [model.find(table, "nid", table.nid) for table in deck.all(ELEMENT_MASS)]
     fixed = np.zeros(model.ids.size, bool)
     for constraint in model.constraints:
         if isinstance(constraint, Supports):
@@ -126,7 +129,7 @@ def _view(deck: Deck, model: Model) -> View:
         ids=model.ids,
         x=model.x0,
         shells=np.concatenate(shells) if shells else np.zeros((0, 4), np.intp),
-        masses=np.array(masses, np.intp),
+        masses=np.concatenate(masses) if masses else np.zeros(0, np.intp),
         supports=np.flatnonzero(fixed),
         gravity=gravity,
         contacts=tuple(

@@ -7,7 +7,7 @@ from pathlib import Path
 from vmharness.case.change import CHANGE, HOW
 from vmharness.case.decode import FILE
 from vmharness.case.error import CaseError
-from vmharness.case.format import CaseFile, Event, as_line
+from vmharness.case.format import OWNERS, CaseFile, Event, as_line
 from vmharness.case.near import near
 from vmharness.formula import Dimension, Formula, FormulaError, Unit, UnitError, UnitSystem
 
@@ -96,11 +96,11 @@ class Checks:
             place = f"[channels] {name}"
             if name == "time":
                 raise self.wrong(place, "time is always there; choose another name")
-            of = [
-                key for key in ("node", "contact", "support", "energy") if getattr(channel, key) is not None
-            ]
+            of = [key for key in OWNERS if getattr(channel, key) is not None]
             if len(of) != 1:
-                raise self.wrong(place, "needs just one of node, contact, support, energy")
+                raise self.wrong(place, f"needs just one of {', '.join(OWNERS)}")
+            if channel.part is not None and of != ["energy"]:
+                raise self.wrong(place, "part goes with energy only")
             if (channel.component is None) != (of == ["energy"]):
                 raise self.wrong(place, "needs a component, such as z-displacement, unless it is an energy")
 

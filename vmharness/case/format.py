@@ -49,10 +49,16 @@ class Line(Table, frozen=True):
 
 
 class Channel(Table, frozen=True):
-    """A quantity over time to record, in any solver: of one node, contact, support or energy."""
+    """A quantity over time to record, in any solver: of a node, an element, a contact, the supports, or an energy."""
 
     text: Text
     node: int | None = None
+    shell: Annotated[int | None, Meta(description="Number of a shell element")] = None
+    solid: Annotated[int | None, Meta(description="Number of a solid element")] = None
+    beam: Annotated[int | None, Meta(description="Number of a beam or truss element")] = None
+    discrete: Annotated[int | None, Meta(description="Number of a spring or damper")] = None
+    point: Annotated[Count, Meta(description="Integration point of the element, from 1")] = 1
+    part: Annotated[int | None, Meta(description="Part whose energy it is, else the whole model's")] = None
     contact: Annotated[int | None, Meta(description="Number of the contact in the deck's order")] = None
     support: Annotated[Literal["all"] | None, Meta(description="Reactions of all supports together")] = None
     energy: Annotated[str | None, Meta(description="kinetic, contact, external work, total, ratio, ...")] = (
@@ -165,6 +171,9 @@ class CaseFile(Table, frozen=True):
     budget: list[Budget] = []
     published: list[Published] = []
     files: Annotated[list[Text], Meta(description="Further input files to offer beside the deck")] = []
+
+
+OWNERS = ("node", "shell", "solid", "beam", "discrete", "contact", "support", "energy")  # of a channel
 
 
 def as_line(line: str | Line) -> Line:

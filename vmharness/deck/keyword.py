@@ -23,6 +23,7 @@ class Keyword:
     - `unique`: the field that names what the entry defines; `kind` is what must not have two of the same name
       (several keywords may define one kind: all materials share "mid").
     - `single`: the keyword may stand once in a deck.
+    - `corners`: of an element keyword, the fields that name the nodes it joins.
     - `effect`: for a keyword that cannot change results: a short sentence that says so, for the deck's notes.
     """
 
@@ -37,6 +38,7 @@ class Keyword:
         unique: str = "",
         kind: str = "",
         single: bool = False,
+        corners: tuple[str, ...] = (),
         effect: str = "",
     ) -> None:
         self.name = name
@@ -50,6 +52,7 @@ class Keyword:
         self.unique = unique
         self.kind = kind or unique
         self.single = single
+        self.corners = corners
         self.effect = effect
         fields = [name for card in (*self.cards, *self.rows) for name in card.defaults()]
         if hidden := RESERVED.intersection(fields):

@@ -7,7 +7,8 @@ from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.force import Force
 from vmharness.explicit.state import Array, State
 
-STORED = ("internal", "hourglass", "contact")  # part of the total energy, beside the kinetic; see `ratio`
+# Stored or dissipated: with the kinetic energy, the total. See `ratio`.
+STORED = ("internal", "spring and damper", "hourglass", "contact", "damping")
 
 
 def kinetic(state: State) -> float:
@@ -36,7 +37,7 @@ def accounts(items: Iterable[Force | Constraint], name: str) -> list[Array]:
 def ratio(total: float, initial: float, external_work: float) -> float:
     """Total energy / (initial energy + external work); 1 by definition while that is zero.
 
-    Total = kinetic + internal + hourglass + contact. (LS-DYNA's glstat prints the same ratio.)
+    Total = kinetic + all of STORED. (LS-DYNA's glstat prints the same ratio.)
     """
     put_in = initial + external_work
     return total / put_in if put_in != 0.0 else 1.0

@@ -1,6 +1,10 @@
 """A force is anything that pushes on nodes: element blocks, contacts, loads, damping."""
 
-from typing import Protocol
+from collections.abc import Callable
+from typing import Protocol, runtime_checkable
+
+import numpy as np
+from numpy.typing import NDArray
 
 from vmharness.explicit.state import Array, State
 
@@ -20,3 +24,18 @@ class Force(Protocol):
 
     def stable_step(self) -> float:
         """The largest stable time step at the geometry of the last `add`; infinity where none is set."""
+
+
+@runtime_checkable
+class Elements(Force, Protocol):
+    """A force that is the elements of one kind in one part."""
+
+    kind: str  # "shell", "solid", "beam", "discrete"
+    pid: int | None  # of the part
+    eid: NDArray[np.int64]  # (ne,) numbers of the elements
+
+    def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
+        """What shows a component, such as `xx-stress`, of the element at this place in `eid`; points count from 1.
+
+        Raises ValueError that says what there is.
+        """

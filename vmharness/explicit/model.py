@@ -28,19 +28,27 @@ class Model:
     end_time: float
     end_cycle: int
     step_factor: float  # TSSFAC
-    rows: dict[int, int]  # node number -> row
+    order: NDArray[np.intp]  # (n,) rows in the order of their numbers
     dtmin: float = 0.0  # the run ends with an error below this fraction of its first step
     forces: list[Force] = field(default_factory=list)
     constraints: list[Constraint] = field(default_factory=list)
     inverse_mass: Array = field(default_factory=lambda: np.zeros(0))  # (n,), 0 where a node has none
     inverse_inertia: Array = field(default_factory=lambda: np.zeros(0))
 
+    def find(self, entry: Entry, name: str, ids: NDArray[np.int64]) -> NDArray[np.intp]:
+        """Rows (m,) of the nodes `ids`, a column of `entry`; raises DeckError at the first that is no node."""
+        place = np.minimum(np.searchsorted(self.ids, ids, sorter=self.order), self.ids.size - 1)
+        rows = self.order[place]
+        for index in np.flatnonzero(self.ids[rows] != ids):
+            raise entry.error(name, f"no *NODE {ids[index]}", int(index))
+        return rows
+
     def row(self, entry: Entry, name: str, nid: int, index: int | None = None) -> int:
         """The row of node `nid`; raises DeckError naming the card and field that refer to it."""
-        try:
-            return self.rows[int(nid)]
-        except KeyError:
-            raise entry.error(name, f"no *NODE {nid}", index) from None
+        rows = np.flatnonzero(self.ids == nid)
+        if not rows.size:
+            raise entry.error(name, f"no *NODE {nid}", index)
+        return int(rows[0])
 
     def add_mass(self, rows: NDArray[np.intp], mass: Array, inertia: Array | float = 0.0) -> None:
         """Lump `mass` (m,) and `inertia` onto nodes; a row may come several times."""
@@ -88,7 +96,7 @@ def _nodes(deck: Deck) -> Model:
         end_cycle=termination.endcyc or np.iinfo(np.int64).max,
         step_factor=timestep.tssfac if timestep else 0.9,
         dtmin=termination.dtmin,
-        rows={int(nid): row for row, nid in enumerate(ids)},
+        order=np.argsort(ids),
     )
 
 

@@ -2,11 +2,13 @@
 
 from collections.abc import Callable
 
+import numpy as np
+
 from vmharness.explicit import energy
 from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.constraints.spc import Supports
 from vmharness.explicit.contacts.nodes_to_surface import NodesToSurface
-from vmharness.explicit.force import Force
+from vmharness.explicit.force import Elements, Force
 from vmharness.explicit.model import Model
 from vmharness.explicit.state import Array
 
@@ -21,9 +23,10 @@ class ProbeError(ValueError):
 
 def node(model: Model, nid: int, component: str) -> Probe:
     """A component of the motion of a node at t_n: `z-displacement`, `x-velocity`, `y-acceleration`, `z-coordinate`."""
-    if nid not in model.rows:
+    rows = np.flatnonzero(model.ids == nid)
+    if not rows.size:
         raise ProbeError(f"no node {nid} in the deck")
-    row, (axis, quantity) = model.rows[nid], _split(component)
+    row, (axis, quantity) = int(rows[0]), _split(component)
     s, place = model.state, (row, axis)
     x0 = float(model.x0[place])
     probes: dict[str, Probe] = {
@@ -55,25 +58,46 @@ def support(model: Model, component: str) -> Probe:
     return _choose({"force": lambda: total[axis]}, quantity, "of a support")
 
 
-def energies(model: Model, name: str) -> Probe:
-    """An energy of the whole model: kinetic, total, ratio, or any that a force or constraint accounts for."""
+def element(model: Model, kind: str, eid: int, component: str, point: int = 1) -> Probe:
+    """A component of an element (kind shell, solid, beam or discrete) in its own frame: `xx-stress`, `axial-force`."""
+    for force in model.forces:
+        if isinstance(force, Elements) and force.kind == kind and eid in force.eid:
+            try:
+                return force.probe(int(np.flatnonzero(force.eid == eid)[0]), point, component)
+            except ValueError as error:
+                raise ProbeError(str(error)) from None
+    raise ProbeError(f"no {kind} element {eid} in the deck")
+
+
+def energies(model: Model, name: str, part: int | None = None) -> Probe:
+    """An energy of the whole model: kinetic, total, ratio, or any that a force or constraint accounts for.
+
+    With `part`, what the elements of that part account for: internal, hourglass, ...
+    """
     s = model.state
     items: list[Force | Constraint] = [*model.forces, *model.constraints]
-    work = _sum(energy.accounts(items, "external work"))
-    stored = _sum([account for kind in energy.STORED for account in energy.accounts(items, kind)])
-    initial = energy.kinetic(s)
-
-    def total() -> float:
-        return energy.kinetic(s) + stored()
-
+    if part is not None:
+        items = [item for item in items if isinstance(item, Elements) and item.pid == part]
+    kinds = [*energy.STORED, "external work"]
     probes: dict[str, Probe] = {
-        "kinetic": lambda: energy.kinetic(s),
-        "total": total,
-        "ratio": lambda: energy.ratio(total(), initial, work()),
+        kind: _sum(accounts) for kind in kinds if (accounts := energy.accounts(items, kind)) or part is None
     }
-    for kind in (*energy.STORED, "external work"):
-        probes[kind] = _sum(energy.accounts(items, kind))
-    return _choose(probes, name, "among the energies")
+    if part is None:
+        work, stored = (
+            probes["external work"],
+            _sum([a for kind in energy.STORED for a in energy.accounts(items, kind)]),
+        )
+        initial = energy.kinetic(s)
+
+        def total() -> float:
+            return energy.kinetic(s) + stored()
+
+        probes |= {
+            "kinetic": lambda: energy.kinetic(s),
+            "total": total,
+            "ratio": lambda: energy.ratio(total(), initial, work()),
+        }
+    return _choose(probes, name, f"of part {part}" if part is not None else "among the energies")
 
 
 def _sum(accounts: list[Array]) -> Probe:

@@ -9,8 +9,9 @@ from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.part import PART
 from vmharness.deck.keywords.set_segment import SET_SEGMENT
 from vmharness.explicit.model import Model
-from vmharness.explicit.parts import ShellPart, shell_parts
+from vmharness.explicit.parts import Part
 from vmharness.explicit.sets import node_set, part_set
+from vmharness.explicit.shells import shell_parts
 from vmharness.explicit.state import Array
 
 Index = NDArray[np.intp]
@@ -44,7 +45,7 @@ def segments_of_surface(deck: Deck, model: Model, entry: Entry, field: str, kind
     )
 
 
-def penalty(part: ShellPart, model: Model) -> Array:
+def penalty(part: Part, model: Model) -> Array:
     """K A / d (ne,) of the shells of a part: bulk modulus, area, longer diagonal."""
     corners = model.x0[part.nodes]
     first, second = corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]
@@ -62,14 +63,14 @@ def penalty_at_nodes(deck: Deck, model: Model, tracked: Index) -> Array:
     return np.where(largest[tracked] > 0.0, largest[tracked], np.inf)
 
 
-def _chosen(deck: Deck, model: Model, entry: Entry, field: str, kind: int) -> list[ShellPart]:
+def _chosen(deck: Deck, model: Model, entry: Entry, field: str, kind: int) -> list[Part]:
     number = getattr(entry, field)
     if kind == 3:
         deck.find(PART, pid=number, referred_by=(entry, field))
         pids = {number}
     else:
         pids = part_set(deck, entry, field)
-    parts = [part for part in shell_parts(deck, model) if part.part.pid in pids]
+    parts = [part for part in shell_parts(deck, model) if part.pid in pids]
     if not parts:
         raise entry.error(field, "the surface has no shells; only shells are supported")
     return parts

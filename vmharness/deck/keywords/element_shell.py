@@ -5,11 +5,14 @@ from vmharness.deck.field import Field, integer, only, real
 from vmharness.deck.keyword import Keyword
 
 ID = integer(width=8, above=0)
-NODES: dict[str, Field] = {f"n{i}": ID for i in range(1, 5)}
 MIDSIDE_NODES: dict[str, Field] = {f"n{i}": only(0, width=8) for i in range(5, 9)}
+CORNERS = ("n1", "n2", "n3", "n4")
+NODES: dict[str, Field] = dict.fromkeys(CORNERS, ID)
 CONNECTIVITY = Card({"eid": ID, "pid": ID, **NODES, **MIDSIDE_NODES})
 
-ELEMENT_SHELL = Keyword("ELEMENT_SHELL", CONNECTIVITY, table=True, unique="eid", kind="shell element")
+ELEMENT_SHELL = Keyword(
+    "ELEMENT_SHELL", CONNECTIVITY, table=True, unique="eid", kind="shell element", corners=CORNERS
+)
 
 ELEMENT_SHELL_THICKNESS = Keyword(
     "ELEMENT_SHELL_THICKNESS",
@@ -24,4 +27,5 @@ ELEMENT_SHELL_THICKNESS = Keyword(
     table=True,
     unique="eid",
     kind="shell element",
+    corners=CORNERS,
 )

@@ -8,11 +8,12 @@ Every plane-stress law has the signature of `plane_stress` below, so that a shel
 It takes one point over one step: strain increments (engineering shear: dexy = 2 depsilon_xy), the stress before, and
 returns the stress after and the strain increment dezz through the thickness that keeps s_zz = 0. `constants` is the
 tuple that the material makes once. `dt` serves laws that depend on the rate. The k-th history variable of the point is
-`history[at + k * stride]`, kept between steps; HISTORY says how many a law needs. No branch depends on the point's
+`history[at + k * stride]`, kept between steps; HISTORY says how many a law needs
+for each state of stress that it can do. No branch depends on the point's
 state if it can be avoided: the law is inlined in a loop over elements, which then vectorises.
 """
 
-from vmharness.deck import Card, Keyword, integer, only, real, skip
+from vmharness.deck import Card, Deck, Entry, Keyword, integer, only, real, skip
 from vmharness.explicit.state import Array
 from vmharness.explicit.vector import inlined
 
@@ -35,22 +36,14 @@ KEYWORD = Keyword(
     kind="material",
 )
 
-HISTORY = 0  # history variables per point
+HISTORY = {"plane_stress": 0}
 
 
-def constants(e: float, nu: float) -> tuple[float, float]:
-    """Young's modulus E and Poisson's ratio, checked; consistent units.
-
-    >>> constants(210.0, 0.3)
-    (210.0, 0.3)
-
-    Raises ValueError unless E > 0 and -1 < nu < 1/2.
-    """
-    if not e > 0:
-        raise ValueError(f"E = {e}: Young's modulus must be positive")
-    if not -1 < nu < 0.5:
-        raise ValueError(f"PR = {nu}: Poisson's ratio must lie between -1 and 0.5")
-    return float(e), float(nu)
+def constants(deck: Deck, entry: Entry) -> tuple[float, float]:
+    """Young's modulus E and Poisson's ratio; raises DeckError unless -1 < PR < 1/2."""
+    if not -1.0 < entry.pr < 0.5:
+        raise entry.error("pr", "must lie between -1 and 0.5")
+    return entry.e, entry.pr
 
 
 @inlined

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from vmharness.explicit.elements.shell_belytschko_tsay import BelytschkoTsay, Hourglass, nodal_mass
-from vmharness.explicit.materials.elastic import constants, plane_stress
+from vmharness.explicit.materials.elastic import plane_stress
 from vmharness.explicit.state import Array, State
 
 E, NU, RHO = 2.1e11, 0.3, 7850.0
@@ -24,9 +24,7 @@ def shells(
 ) -> BelytschkoTsay:
     """Elastic shells of one thickness."""
     thickness = np.full(len(nodes), t)
-    return BelytschkoTsay(
-        "shells", nodes, x, thickness, rho, plane_stress, constants(e, nu), (e, nu), **options
-    )
+    return BelytschkoTsay("shells", nodes, x, thickness, rho, plane_stress, (e, nu), (e, nu), **options)
 
 
 def state(x: Array) -> State:

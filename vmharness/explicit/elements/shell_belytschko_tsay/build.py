@@ -1,6 +1,5 @@
 """The deck's parts with *SECTION_SHELL ELFORM = 2 -> forces and masses of the model."""
 
-from vmharness import dropins
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.control_hourglass import CONTROL_HOURGLASS
 from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
@@ -8,8 +7,11 @@ from vmharness.deck.keywords.hourglass import HOURGLASS
 from vmharness.explicit.elements.shell_belytschko_tsay.hourglass import Hourglass
 from vmharness.explicit.elements.shell_belytschko_tsay.mass import nodal_mass
 from vmharness.explicit.elements.shell_belytschko_tsay.part import BelytschkoTsay
+from vmharness.explicit.material import law_of
 from vmharness.explicit.model import Model
-from vmharness.explicit.parts import ShellPart, shell_parts
+from vmharness.explicit.parts import Part
+from vmharness.explicit.shells import shell_parts, thickness
+from vmharness.explicit.state import Array
 
 ELFORM = 2
 DEFAULT = 2  # hourglass type where IHQ is 0
@@ -20,32 +22,34 @@ def build(deck: Deck, model: Model) -> None:
     for part in shell_parts(deck, model):
         if part.section.elform != ELFORM:
             raise part.section.error("elform", f"not implemented; supported: {ELFORM} (Belytschko-Tsay)")
-        model.forces.append(_force(deck, model, part))
-        shape = model.x0[part.nodes], part.thickness
-        mass, inertia = nodal_mass(*shape, part.material.ro, part.material.pr, part.section.shrf)
+        t = thickness(part)
+        model.forces.append(_force(deck, model, part, t))
+        material = part.material
+        mass, inertia = nodal_mass(model.x0[part.nodes], t, material.ro, material.pr, part.section.shrf)
         for corner in part.nodes.T:
             model.add_mass(corner, mass, inertia)
 
 
-def _force(deck: Deck, model: Model, part: ShellPart) -> BelytschkoTsay:
-    material, section = part.material, part.section
-    law = next(m for m in dropins.modules("vmharness.explicit.materials") if m.KEYWORD is material.keyword)
-    timestep = deck.first(CONTROL_TIMESTEP)
+def _force(deck: Deck, model: Model, part: Part, t: Array) -> BelytschkoTsay:
+    material, section, timestep = part.material, part.section, deck.first(CONTROL_TIMESTEP)
+    law = law_of(material, "plane_stress", part.part)
     try:
         return BelytschkoTsay(
-            name=f"shells of part {part.part.pid}",
+            name=f"shells of part {part.pid}",
             nodes=part.nodes,
             x=model.x0,
-            thickness=part.thickness,
+            thickness=t,
             density=material.ro,
             law=law.plane_stress,
-            constants=law.constants(material.e, material.pr),
+            constants=law.constants(deck, material),
             stiffness=(material.e, material.pr),
             nip=section.nip,
             shrf=section.shrf,
             hourglass=_hourglass(deck, part.part),
             isdo=timestep.isdo if timestep else 0,
-            history=law.HISTORY,
+            history=law.HISTORY["plane_stress"],
+            eid=part.eid,
+            pid=part.pid,
         )
     except ValueError as error:
         raise part.part.error(None, str(error)) from None

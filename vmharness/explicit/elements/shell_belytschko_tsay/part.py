@@ -5,6 +5,7 @@ from functools import cache
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from vmharness.explicit.compiled import specialise
 from vmharness.explicit.elements.shell_belytschko_tsay import step
@@ -12,6 +13,8 @@ from vmharness.explicit.elements.shell_belytschko_tsay.hourglass import Hourglas
 from vmharness.explicit.elements.shell_belytschko_tsay.lanes import LANES, ROWS, Indices, by_block, by_element
 from vmharness.explicit.elements.shell_belytschko_tsay.length import LENGTHS, wave_speed
 from vmharness.explicit.state import Array, State
+
+STRESSES = ("xx", "yy", "xy", "yz", "zx")
 
 
 class BelytschkoTsay:
@@ -22,6 +25,8 @@ class BelytschkoTsay:
     control and the stable step; `nip`: Gauss points through the thickness, 1 to 10; `shrf`: shear factor kappa.
     Consistent units. Raises ValueError for a shape or an option that the element does not know.
     """
+
+    kind = "shell"
 
     def __init__(
         self,
@@ -38,13 +43,16 @@ class BelytschkoTsay:
         hourglass: Hourglass | None = None,
         isdo: int = 0,
         history: int = 0,
+        eid: NDArray[np.int64] | None = None,
+        pid: int | None = None,
     ) -> None:
         _check(nodes, x, thickness, nip, isdo)
         control = hourglass or Hourglass()
         C = moduli(x[nodes], thickness, density, stiffness, shrf, control)
         elements = len(nodes)
 
-        self.name = name
+        self.name, self.pid = name, pid
+        self.eid = np.arange(1, elements + 1) if eid is None else eid
         self.elements, self.nip = elements, nip
         self._shrf, self._constants = float(shrf), constants
         self._viscous = control.viscous
@@ -96,6 +104,21 @@ class BelytschkoTsay:
     @stress.setter
     def stress(self, stress: Array) -> None:
         self._stress[:] = by_block(stress)
+
+    def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
+        """`xx-stress`, ... of an element (its place in `eid`) in its own frame, at a point counted from the lowest."""
+        axes, _, quantity = component.partition("-")
+        if quantity != "stress" or axes not in STRESSES:
+            raise ValueError(
+                f"no {component!r} of a shell; there are: {', '.join(f'{a}-stress' for a in STRESSES)}"
+            )
+        if not 1 <= point <= self.nip:
+            raise ValueError(f"no point {point}; the shell has {self.nip}")
+        stresses, place = (
+            self._stress[element // LANES, point - 1],
+            STRESSES.index(axes) * LANES + element % LANES,
+        )
+        return lambda: stresses[place]
 
     @property
     def hourglass(self) -> Array:
