@@ -90,6 +90,14 @@ class Solution:
 
 
 @dataclass(frozen=True)
+class Unrun:
+    """A selected case that has no run: it could not be read, hit a defect, or was not reached."""
+
+    id: str
+    reason: str
+
+
+@dataclass(frozen=True)
 class CaseRun:
     """One case through one solver, judged."""
 

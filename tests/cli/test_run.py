@@ -92,13 +92,29 @@ def test_sound_cases_run_beside_broken_and_missing_ones(here, ball, vm):
     ball()
     broken = ball(id="broken")
     (broken / "case.toml").write_text("title = 3\n")
-    code, out, _ = vm("run", "VM-061", "broken", "absent", "--json", "r.json", "--no-report")
+    files = ("--json", "r.json", "--junit", "r.xml")
+    code, out, _ = vm("run", "VM-061", "broken", "absent", *files, "--no-report")
     assert code == 4
     assert "2 case error, 1 pass" in out
     assert "broken/case.toml" in out
     assert "no case absent" in out
-    assert results("r.json")[0]["verdict"] == "pass"
+    cases = {case["id"]: case for case in json.loads(Path("r.json").read_text())["cases"]}
+    assert {id: case["verdict"] for id, case in cases.items()} == {
+        "VM-061": "pass", "broken": "error", "absent": "error",
+    }  # fmt: skip
+    assert "broken/case.toml" in cases["broken"]["reason"]
+    root = ElementTree.parse("r.xml").getroot()
+    assert (root.get("tests"), root.get("errors")) == ("8", "2")
     assert not (here / "reports" / "VM-061").exists()
+
+
+def test_the_index_counts_a_broken_case(ball, vm):
+    ball()
+    (ball(id="broken") / "case.toml").write_text("title = 3\n")
+    assert vm("run")[0] == 4
+    text = Path("reports/README.md").read_text()
+    assert text.splitlines()[2].startswith("2 cases: 1 ✓ pass, 1 ! error")
+    assert "- broken: broken/case.toml" in text
 
 
 def test_a_deck_that_the_solver_refuses_could_not_be_judged(ball, vm):

@@ -5,6 +5,7 @@ from dataclasses import replace
 from xml.etree import ElementTree
 
 from vmharness.report import formats, render
+from vmharness.result import Unrun
 
 
 def test_the_folder_is_the_list():
@@ -61,3 +62,17 @@ def test_junit_holds_no_character_that_xml_cannot(broken):
     root = ElementTree.fromstring(render("junit", [run]).encode("utf-8"))
     error = root.find(".//testcase[@name='solver']/error")
     assert error.text == '?[31mred? "<&>" ?'
+
+
+def test_a_case_without_a_run_is_not_left_out(good):
+    unrun = [Unrun("VM-2", "[given] k: no unit lbx")]
+    _, missing = json.loads(render("json", [good], unrun))["cases"]
+    assert missing == {
+        "id": "VM-2", "title": "", "solver": None, "verdict": "error", "seconds": None, "cycles": None,
+        "results": [], "reason": "[given] k: no unit lbx",
+    }  # fmt: skip
+    root = ElementTree.fromstring(render("junit", [good], unrun))
+    assert (root.get("tests"), root.get("failures"), root.get("errors")) == ("7", "0", "1")
+    suite = root.find("testsuite[@name='VM-2']")
+    assert (suite.get("tests"), suite.get("errors")) == ("1", "1")
+    assert suite.find("testcase/error").get("message") == "[given] k: no unit lbx"

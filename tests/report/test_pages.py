@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from vmharness.report import write_case, write_index
+from vmharness.result import Unrun
 
 VOID = {"meta", "br", "img", "link", "hr", "input"}
 
@@ -258,3 +259,13 @@ def test_index_puts_the_worst_first(good, failed, broken, tmp_path):
     assert [row[4] for row in rows[2:]] == ["–", "300 %", "50 %"]
     assert table_after(text, "What the cases cover")[2][0] == "contact"
     assert "1 ✓ pass, 1 ✗ fail, 1 ! error" in text
+
+
+def test_index_counts_and_names_the_cases_without_a_run_first(good, tmp_path):
+    write_index([good], tmp_path, [Unrun("VM-9", "deck <b>"), Unrun("VM-8", "interrupted")])
+    text = (tmp_path / "README.md").read_text()
+    assert "3 cases: 1 ✓ pass, 2 ! error" in text
+    assert "- VM-8: interrupted\n- VM-9: deck &lt;b>\n\n## vmharness" in text
+    html = (tmp_path / "index.html").read_text()
+    assert html.index("deck &lt;b&gt;") < html.index(">VM-061<")
+    assert Page(html).open == []

@@ -15,6 +15,7 @@ from vmharness.suite.outcome import Outcome, Status
 from vmharness.suite.pool import Pool
 from vmharness.suite.select import Entry
 
+NOT_REACHED = "interrupted before it was done"
 COMPILED = "builtin"  # the solver whose kernels are compiled when it first runs
 
 
@@ -54,20 +55,24 @@ def run_cases(found: Sequence[Entry], wanted: Wanted) -> list[Outcome]:
         except KeyboardInterrupt:
             complain("interrupted; what is done is kept, and --lf runs the rest")
             done = {outcome.id for outcome in outcomes}
-            outcomes += [Outcome(case.id, Status.NOT_RUN) for case in cases if case.id not in done]
+            outcomes += [
+                Outcome(case.id, Status.NOT_RUN, NOT_REACHED) for case in cases if case.id not in done
+            ]
     return outcomes
 
 
 def write_files(outcomes: Sequence[Outcome], wanted: Wanted) -> list[Outcome]:
     """Write the index, the formats for machines, and what --lf needs; returns what could not be written."""
     from vmharness import report
+    from vmharness.result import Unrun
 
     runs = [outcome.run for outcome in outcomes if outcome.run is not None]
+    unrun = [Unrun(outcome.id, outcome.reason) for outcome in outcomes if outcome.run is None]
     tasks: dict[str, Callable[[], object]] = {}
     for name, path in wanted.files.items():
-        tasks[str(path)] = partial(reports.write_file, name, runs, path)
+        tasks[str(path)] = partial(reports.write_file, name, runs, unrun, path)
     if wanted.index:
-        tasks["the index"] = partial(report.write_index, runs, wanted.root)
+        tasks["the index"] = partial(report.write_index, runs, wanted.root, unrun)
     if not wanted.data:
         tasks[str(wanted.root / last_run.FILE)] = partial(last_run.write, wanted.root, outcomes)
     done = [reports.attempted(Outcome(what, Status.PASS), "it", write) for what, write in tasks.items()]

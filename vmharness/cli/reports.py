@@ -2,7 +2,7 @@
 
 import contextlib
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from vmharness.suite.outcome import Outcome, Status
 
 if TYPE_CHECKING:
-    from vmharness.result import CaseRun
+    from vmharness.result import CaseRun, Unrun
 
 NEEDED = (
     "vmharness.run",
@@ -44,12 +44,12 @@ def write_page(run: "CaseRun", root: Path, name: str) -> None:
         atomic.write(root / name / "deck.k", run.solution.resolved_deck)
 
 
-def write_file(format: str, runs: list["CaseRun"], path: Path) -> None:
-    """Write all runs in a format for machines."""
+def write_file(format: str, runs: list["CaseRun"], unrun: Sequence["Unrun"], path: Path) -> None:
+    """Write all runs, and the cases without one, in a format for machines."""
     from vmharness import report
     from vmharness.report import atomic
 
-    atomic.write(path, report.render(format, runs))
+    atomic.write(path, report.render(format, runs, unrun))
 
 
 def attempted(outcome: Outcome, what: str, write: Callable[[], object]) -> Outcome:

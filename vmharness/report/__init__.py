@@ -1,10 +1,11 @@
 """The manual: pages of cases, an index over them, and results for machines."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from vmharness import dropins
 from vmharness.report import atomic
-from vmharness.result import CaseRun
+from vmharness.result import CaseRun, Unrun
 
 PAGES, FILES = "vmharness.report.pages", "vmharness.report.files"
 
@@ -27,11 +28,11 @@ def write_case(run: CaseRun, folder: Path, volatile: bool = True) -> list[Path]:
     return [atomic.write(path, text) for path, text in texts.items()]
 
 
-def write_index(runs: list[CaseRun], folder: Path) -> list[Path]:
-    """Write the index over `runs` into `folder` in every format of the manual; raises OSError."""
+def write_index(runs: list[CaseRun], folder: Path, unrun: Sequence[Unrun] = ()) -> list[Path]:
+    """Write the index over `runs`, and the cases without one, into `folder` in every format; raises OSError."""
     from vmharness.report.index import index
 
-    content = index(runs)
+    content = index(runs, unrun)
     texts = {folder / form.FILE: form.index(content) for form in dropins.modules(PAGES)}
     return [atomic.write(path, text) for path, text in texts.items()]
 
@@ -41,6 +42,6 @@ def formats() -> list[str]:
     return dropins.names(FILES)
 
 
-def render(name: str, runs: list[CaseRun]) -> str:
-    """All runs in the format `name` of `formats()`."""
-    return str(dropins.module(FILES, name).render(runs))
+def render(name: str, runs: list[CaseRun], unrun: Sequence[Unrun] = ()) -> str:
+    """All runs, and the cases without one, in the format `name` of `formats()`."""
+    return str(dropins.module(FILES, name).render(runs, unrun))

@@ -1,12 +1,12 @@
 """The index of the manual: all cases of a run, the worst first."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from vmharness.compare import Verdict
 from vmharness.report.page import worst_row
 from vmharness.report.solver import short_name
-from vmharness.result import CaseRun, Row
+from vmharness.result import CaseRun, Row, Unrun
 
 ORDER = {Verdict.ERROR: 0, Verdict.FAIL: 1, Verdict.PASS: 2}
 
@@ -24,15 +24,16 @@ class Line:
 class Index:
     """All that a format needs to write the index."""
 
+    unrun: Sequence[Unrun]  # cases that nothing can be said of but why
     solvers: Mapping[
         str, list[Line]
     ]  # by solver, without its version: errors, failures, then the thinnest margin
     coverage: Mapping[str, list[CaseRun]]  # by tag
-    counts: Mapping[Verdict, int]
+    counts: Mapping[Verdict, int]  # a case without a run is an error
 
 
-def index(runs: list[CaseRun]) -> Index:
-    """Order the runs for the index."""
+def index(runs: Sequence[CaseRun], unrun: Sequence[Unrun]) -> Index:
+    """Order the runs for the index; the cases without one come before them."""
     solvers: dict[str, list[Line]] = {}
     coverage: dict[str, list[CaseRun]] = {}
     for run in sorted(runs, key=_badness):
@@ -44,7 +45,8 @@ def index(runs: list[CaseRun]) -> Index:
         for tag in run.case.file.tags:
             coverage.setdefault(tag, []).append(run)
     counts = {verdict: sum(run.verdict is verdict for run in runs) for verdict in Verdict}
-    return Index(solvers, dict(sorted(coverage.items())), counts)
+    counts[Verdict.ERROR] += len(unrun)
+    return Index(sorted(unrun, key=lambda case: case.id), solvers, dict(sorted(coverage.items())), counts)
 
 
 def _badness(run: CaseRun) -> tuple[int, float, str]:

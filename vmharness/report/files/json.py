@@ -2,17 +2,20 @@
 
 import json
 import math
+from collections.abc import Sequence
 from typing import Any
 
 from vmharness import __version__
-from vmharness.result import CaseRun, Row
+from vmharness.compare import Verdict
+from vmharness.result import CaseRun, Row, Unrun
 
 SCHEMA = 1
 
 
-def render(runs: list[CaseRun]) -> str:
-    """All runs; what is not there, not a number or infinite is null."""
-    document = {"schema": SCHEMA, "version": __version__, "cases": [_case(run) for run in runs]}
+def render(runs: Sequence[CaseRun], unrun: Sequence[Unrun]) -> str:
+    """All runs, then the cases without one; what is not there, not a number or infinite is null."""
+    cases = [*map(_case, runs), *map(_unrun, unrun)]
+    document = {"schema": SCHEMA, "version": __version__, "cases": cases}
     return json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
@@ -25,6 +28,20 @@ def _case(run: CaseRun) -> dict[str, Any]:
         "seconds": _number(run.seconds),
         "cycles": run.solution.cycles,
         "results": [_result(row) for row in run.rows],
+    }
+
+
+def _unrun(case: Unrun) -> dict[str, Any]:
+    """Missing is a failure: the case is there, with the reason in place of results."""
+    return {
+        "id": case.id,
+        "title": "",
+        "solver": None,
+        "verdict": str(Verdict.ERROR),
+        "seconds": None,
+        "cycles": None,
+        "results": [],
+        "reason": case.reason,
     }
 
 

@@ -1,20 +1,21 @@
 """Results as JUnit XML, as continuous integration reads it: a suite a case, a test a result."""
 
 import re
+from collections.abc import Sequence
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from vmharness.compare import Verdict
 from vmharness.report.number import decimals, positional, significant
-from vmharness.result import CaseRun, Row
+from vmharness.result import CaseRun, Row, Unrun
 
 # What XML 1.0 cannot hold, even escaped.
 _ILLEGAL = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
-def render(runs: list[CaseRun]) -> str:
-    """All runs as one document."""
-    suites = [_suite(run) for run in runs]
+def render(runs: Sequence[CaseRun], unrun: Sequence[Unrun]) -> str:
+    """All runs as one document, then a suite with one error for each case without one."""
+    suites = [*map(_suite, runs), *map(_unrun, unrun)]
     root = Element("testsuites", {"name": "vmharness", **_totals(suites)})
     root.extend(suites)
     ElementTree.indent(root)
@@ -34,20 +35,31 @@ def _suite(run: CaseRun) -> Element:
         SubElement(properties, "property", name=name, value=_legal(value))
     tests = [_test(run, row) for row in run.rows]
     if run.solution.failure or not tests:
-        tests.append(_verdict(_named(run, "solver"), Verdict.ERROR, run.reason or "no result was judged"))
+        reason = run.reason or "no result was judged"
+        tests.append(_verdict(_named(run.case.id, "solver"), Verdict.ERROR, reason))
+    return _counted(suite, tests, run.seconds)
+
+
+def _unrun(case: Unrun) -> Element:
+    test = _verdict(_named(case.id, "case"), Verdict.ERROR, case.reason)
+    return _counted(Element("testsuite", name=_legal(case.id)), [test], 0.0)
+
+
+def _counted(suite: Element, tests: list[Element], seconds: float) -> Element:
+    """The suite with its tests, and how many of them there are of each kind."""
     suite.extend(tests)
     suite.attrib |= {
         "tests": str(len(tests)),
         "failures": str(sum(test.find("failure") is not None for test in tests)),
         "errors": str(sum(test.find("error") is not None for test in tests)),
         "skipped": "0",
-        "time": f"{run.seconds:.3f}",
+        "time": f"{seconds:.3f}",
     }
     return suite
 
 
 def _test(run: CaseRun, row: Row) -> Element:
-    test = _verdict(_named(run, row.key), row.verdict, row.comparison.reason)
+    test = _verdict(_named(run.case.id, row.key), row.verdict, row.comparison.reason)
     comparison = row.comparison
     SubElement(test, "system-out").text = _legal(
         f"{row.event}, {row.label} ({row.unit}): target {significant(comparison.target)}, "
@@ -57,8 +69,8 @@ def _test(run: CaseRun, row: Row) -> Element:
     return test
 
 
-def _named(run: CaseRun, name: str) -> Element:
-    return Element("testcase", classname=_legal(run.case.id), name=_legal(name), time="0")
+def _named(case: str, name: str) -> Element:
+    return Element("testcase", classname=_legal(case), name=_legal(name), time="0")
 
 
 def _verdict(test: Element, verdict: Verdict, reason: str) -> Element:
