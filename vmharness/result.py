@@ -106,7 +106,7 @@ class CaseRun:
     rows: tuple[Row, ...]
     events: Mapping[str, Event | str]  # when each happened, or why that could not be found
     readings: Mapping[str, tuple[Reading, ...]]  # by name of the published column
-    deck_sha256: str
+    deck_sha256: str  # of the deck that ran
     case_sha256: str
     seconds: float
 

@@ -35,7 +35,7 @@ def judge(case: Case, solution: Solution) -> CaseRun:
         rows=rows,
         events=events,
         readings=readings(case, solution.history) if solution.history and not solution.failure else {},
-        deck_sha256=_sha256(case.deck_path.read_bytes()),
+        deck_sha256=_sha256(solution.resolved_deck.encode() or case.deck_path.read_bytes()),
         case_sha256=_sha256((case.folder / "case.toml").read_bytes()),
         seconds=solution.seconds,
     )
@@ -71,7 +71,7 @@ def _row(case: Case, result: Result, solution: Solution, event: Event | str) -> 
         budget=sum(budget) if budget else None,
         published={
             column.name: Published(column.values[result.key], column.errors_percent.get(result.key))
-            for column in case.file.published
+            for column in case.published
             if result.key in column.values
         },
     )

@@ -105,6 +105,18 @@ def test_other_data_move_theory_and_deck_together():
     assert set(parameters) == {"SLSFAC", "TEND"}  # nothing that does not depend on k
 
 
+def test_a_datum_comes_back_in_its_own_unit(edited):
+    case = edited(('h  = { value = 1.0, unit = "in"', 'h  = { value = 25.4, unit = "mm"'))
+    assert case.datum("h") == 25.4
+    assert case.with_given({"h": 30.3 / 25.4}).datum("h") == 30.3
+
+
+def test_other_data_than_those_they_were_printed_for_have_no_published_values():
+    case = read(CASES / "VM-061")
+    assert [column.name for column in case.published] == ["LS-DYNA", "VM65"]
+    assert case.with_given({"k": 4000.0}).published == []
+
+
 def test_a_planted_fault_moves_the_deck_alone():
     case = read(CASES / "VM-061")
     wrong = case.with_deck_of({"g": 1.001 * 386.0})

@@ -1,3 +1,4 @@
+import hashlib
 import json
 import subprocess
 import sys
@@ -70,7 +71,9 @@ def test_other_data_move_theory_and_solver_and_leave_the_manual_alone(ball, vm):
     ball()
     code, out, _ = vm("run", "VM-061", "--set", "k=2500", "--set", "h=0.5", "--json", "r.json")
     assert code == 0, out
-    _, rows = results("r.json")
+    case, rows = results("r.json")
+    assert (case["id"], case["set"]) == ("VM-061", {"k": 2500.0, "h": 0.5})
+    assert all(row["published"] == {} for row in rows.values())
     assert rows["z_impact"]["target"] == -0.5
     assert rows["z_peak"]["value"] == pytest.approx(rows["z_peak"]["target"], rel=2e-5)
     assert not Path("reports").exists()
@@ -79,6 +82,11 @@ def test_other_data_move_theory_and_solver_and_leave_the_manual_alone(ball, vm):
     deck = (folder / "deck.k").read_text()
     assert deck.startswith("*KEYWORD")
     assert "&" not in deck
+    digest = hashlib.sha256(deck.encode()).hexdigest()
+    for page in ("index.html", "README.md"):
+        text = (folder / page).read_text()
+        assert digest in text
+        assert "Where the published difference" not in text
 
 
 def test_a_datum_that_a_case_does_not_have_is_its_error_alone(ball, vm):

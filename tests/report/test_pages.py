@@ -231,6 +231,29 @@ def test_other_data_than_the_case_s_are_said(good, tmp_path):
     assert "k = 2000" in markdown
 
 
+def test_values_published_for_the_case_s_own_data_stand_beside_no_others(good, tmp_path):
+    markdown, html = written(replace(good, case=good.case.with_given({"k": 2000.0})), tmp_path)
+    for text in (markdown, html):
+        assert "LS-DYNA Verification Manual, VM" not in text
+        assert "Where the published difference" not in text
+        assert "27.791" not in text
+        assert "The text below describes the case with its own." in text
+    head, *rows = table_after(markdown, "Results comparison")
+    assert head[-1] == "Verdict"
+    assert {len(row) for row in rows} == {len(head)}
+
+
+def test_the_deck_that_ran_is_the_one_that_is_offered(good, tmp_path):
+    import base64
+
+    run = replace(good, solution=replace(good.solution, resolved_deck="*KEYWORD LONG=Y\n*END\n"))
+    markdown, html = written(run, tmp_path)
+    link = next(a for tag, a in Page(html).tags if tag == "a" and a.get("download") == "deck.k")
+    assert base64.b64decode(link["href"].split(",", 1)[1]) == b"*KEYWORD LONG=Y\n*END\n"
+    assert "[deck.k](deck.k)" in markdown
+    assert (tmp_path / "VM-061" / "deck.k").read_text() == "*KEYWORD LONG=Y\n*END\n"
+
+
 def test_input_files_are_offered_whole(good, tmp_path):
     import base64
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.case.error import CaseError
-from vmharness.case.format import CaseFile, Result
+from vmharness.case.format import CaseFile, Published, Result
 from vmharness.formula import Dimension, Formula, FormulaError, UnitSystem
 
 Array = NDArray[np.float64]
@@ -41,6 +41,18 @@ class Case:
     def deck_path(self) -> Path:
         """The deck as it lies in the folder."""
         return self.folder / self.file.deck.file
+
+    @property
+    def published(self) -> list[Published]:
+        """Values printed elsewhere; none for other data than those that they were printed for."""
+        return [] if self.changed else self.file.published
+
+    def datum(self, name: str) -> float:
+        """A given datum in its own unit, to 15 digits where it is not the file's number itself."""
+        given = self.file.given[name]
+        if name not in self.changed:
+            return given.value
+        return float(f"{self.given[name] / self.units.factor(given.unit):.15g}")
 
     def result(self, key: str) -> Result:
         """The declared result `key`."""

@@ -35,13 +35,10 @@ def get_ready() -> None:
 
 
 def write_page(run: "CaseRun", root: Path, name: str) -> None:
-    """Write the pages of a case to `root`/`name`; with other data also the deck that these gave."""
+    """Write the pages of a case to `root`/`name`."""
     from vmharness import report
-    from vmharness.report import atomic
 
     report.write_case(replace(run, case=replace(run.case, id=name)), root)
-    if run.solution.resolved_deck:
-        atomic.write(root / name / "deck.k", run.solution.resolved_deck)
 
 
 def write_file(format: str, runs: list["CaseRun"], unrun: Sequence["Unrun"], path: Path) -> None:

@@ -21,7 +21,7 @@ def readings(case: Case, history: History) -> dict[str, tuple[Reading, ...]]:
     """For each published column that declares an interval: its values beside our history read that way."""
     return {
         column.name: _column(case, history, column, column.interval)
-        for column in case.file.published
+        for column in case.published
         if column.interval is not None
     }
 

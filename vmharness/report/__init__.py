@@ -11,7 +11,8 @@ PAGES, FILES = "vmharness.report.pages", "vmharness.report.files"
 
 
 def write_case(run: CaseRun, folder: Path, volatile: bool = True) -> list[Path]:
-    """Write the page of a case into `folder`/<id> in every format of the manual, with its figures.
+    """Write the page of a case into `folder`/<id> in every format of the manual, with its figures, and
+    the deck where it is not that of the case's folder.
 
     All is rendered before any of it is written. What varies from run to run (machine, versions, date, seconds) is
     in the HTML alone, and left out of it too unless `volatile`. Raises OSError.
@@ -25,6 +26,8 @@ def write_case(run: CaseRun, folder: Path, volatile: bool = True) -> list[Path]:
         texts[to / f"{figure.name}.svg"] = figure.svg
     for name, picture in pictures(run.case).items():
         texts[to / name] = picture.read_text(encoding="utf-8")
+    if run.solution.resolved_deck:
+        texts[to / run.case.file.deck.file] = run.solution.resolved_deck
     return [atomic.write(path, text) for path, text in texts.items()]
 
 

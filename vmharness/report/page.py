@@ -104,9 +104,7 @@ def _data(case: Case) -> dict[str, list[Datum]]:
 
 
 def _datum(case: Case, name: str, given: Given) -> Datum:
-    # Converted only where the value is not the file's: 1973.92 must not come back as 1973.9199999.
-    value = case.given[name] / case.units.factor(Unit(given.unit)) if name in case.changed else given.value
-    return Datum(name, value, given.unit, given.text)
+    return Datum(name, case.datum(name), given.unit, given.text)
 
 
 def _theory(case: Case) -> list[TheoryLine]:

@@ -43,10 +43,10 @@ def html(markdown: str, found: dict[str, Path]) -> str:
 def _figure(name: str, caption: str, found: dict[str, Path]) -> str:
     if name not in found:
         return f"<p>{caption}</p>"
-    source = data_link(found[name], KIND)
+    source = data_link(found[name].read_bytes(), KIND)
     return f'<figure><img src="{source}" alt="{caption}"><figcaption>{caption}</figcaption></figure>'
 
 
-def data_link(path: Path, kind: str) -> str:
+def data_link(content: bytes, kind: str) -> str:
     """The content of a file as a link that needs no other file."""
-    return f"data:{kind};base64,{base64.b64encode(path.read_bytes()).decode('ascii')}"
+    return f"data:{kind};base64,{base64.b64encode(content).decode('ascii')}"

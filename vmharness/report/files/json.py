@@ -20,14 +20,18 @@ def render(runs: Sequence[CaseRun], unrun: Sequence[Unrun]) -> str:
 
 
 def _case(run: CaseRun) -> dict[str, Any]:
+    """A run; `set` holds the data that are not the case's own, each in its unit, if there are any."""
+    case = run.case
+    changed = {name: case.datum(name) for name in case.file.given if name in case.changed}
     return {
-        "id": run.case.id,
-        "title": run.case.file.title,
+        "id": case.id,
+        "title": case.file.title,
         "solver": run.solution.solver,
         "verdict": str(run.verdict),
         "seconds": _number(run.seconds),
         "cycles": run.solution.cycles,
         "results": [_result(row) for row in run.rows],
+        **({"set": changed} if changed else {}),
     }
 
 

@@ -29,8 +29,7 @@ def case(page: Page, folder: Path) -> str:
         run=page.run,
         file=case.file,
         inputs=[
-            (name, prose.data_link(case.folder / name, "text/plain"))
-            for name in (case.file.deck.file, *case.file.files, "case.toml")
+            (name, prose.data_link(content, "text/plain")) for name, content in _inputs(page.run).items()
         ],
         prose={title: prose.html(text, pictures) for title, text in page.prose.items()},
         theory=lambda line: equations.theory(line, page, "mathml"),
@@ -38,6 +37,14 @@ def case(page: Page, folder: Path) -> str:
         wording=wording,
         provenance=provenance(page.run) if page.volatile else {},
     )
+
+
+def _inputs(run: CaseRun) -> dict[str, bytes]:
+    """What was put into the run, by name: the deck is the one that ran."""
+    case = run.case
+    files = {name: (case.folder / name).read_bytes() for name in (*case.file.files, "case.toml")}
+    deck = run.solution.resolved_deck.encode() or case.deck_path.read_bytes()
+    return {case.file.deck.file: deck, **files}
 
 
 def index(index: Index) -> str:

@@ -8,6 +8,7 @@ from vmharness.report import equations, number, wording
 from vmharness.report.index import Index
 from vmharness.report.page import Page
 from vmharness.report.templates import render
+from vmharness.result import CaseRun
 
 FILE = "README.md"
 
@@ -20,14 +21,19 @@ def case(page: Page, folder: Path) -> str:
         page=page,
         run=page.run,
         file=page.run.case.file,
-        inputs=[
-            (name, _relative(page.run.case.folder / name, folder))
-            for name in (page.run.case.file.deck.file, *page.run.case.file.files, "case.toml")
-        ],
+        inputs=_inputs(page.run, folder),
         theory=lambda line: equations.theory(line, page, "latex"),
         datum=lambda datum: equations.datum(datum, "latex"),
         wording=wording,
     )
+
+
+def _inputs(run: CaseRun, folder: Path) -> list[tuple[str, str]]:
+    """Links to what was put into the run; a deck that is not the case's own lies beside the page."""
+    case = run.case
+    deck = folder / case.file.deck.file if run.solution.resolved_deck else case.deck_path
+    paths = {name: case.folder / name for name in (*case.file.files, "case.toml")}
+    return [(name, _relative(path, folder)) for name, path in {case.file.deck.file: deck, **paths}.items()]
 
 
 def index(index: Index) -> str:
