@@ -118,6 +118,14 @@ class CaseRun:
         return worst([row.verdict for row in self.rows])
 
     @property
+    def groups(self) -> list[tuple[str, list[Row]]]:
+        """The rows by the title of their event, in the order in which the events first come."""
+        found: dict[str, list[Row]] = {}
+        for row in self.rows:
+            found.setdefault(row.event, []).append(row)
+        return list(found.items())
+
+    @property
     def reason(self) -> str:
         """Why the case did not pass: the first thing to look at."""
         if self.solution.failure:

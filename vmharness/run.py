@@ -9,6 +9,7 @@ from vmharness.case.format import Result
 from vmharness.compare import Comparison, Tolerance, Verdict, compare
 from vmharness.events import Event
 from vmharness.evidence.reading import readings
+from vmharness.evidence.tolerance import budget
 from vmharness.formula import Unit
 from vmharness.history import History
 from vmharness.measure import find_event, value_at
@@ -58,8 +59,6 @@ def _row(case: Case, result: Result, solution: Solution, event: Event | str) -> 
         scale = _scale(solution.history, result.channel) / factor
         value = value_at(solution.history, result.channel, event.time) / factor
         comparison = compare(target, value, tolerance, scale)
-    budget = [case.evaluate(f"budget {number} {result.key}")
-              for number, line in enumerate(case.file.budget, 1) if result.key in line.relative]  # fmt: skip
     return Row(
         key=result.key,
         label=result.label,
@@ -68,7 +67,7 @@ def _row(case: Case, result: Result, solution: Solution, event: Event | str) -> 
         comparison=comparison,
         uncertainty=event.uncertainty if isinstance(event, Event) else None,
         because=result.tolerance.because,
-        budget=sum(budget) if budget else None,
+        budget=budget(case, result.key),
         published={
             column.name: Published(column.values[result.key], column.errors_percent.get(result.key))
             for column in case.published

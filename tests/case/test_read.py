@@ -36,6 +36,7 @@ def edited(tmp_path):
         ('because = "about ten', 'becuase = "about ten', r"\[results\] 1\.?tolerance: .*becuase.*because|because is missing"),
         ("{ relative = 5e-7, ", "{ ", r"\[results\] 1: the tolerance allows nothing"),
         ("relative = 5e-7", "relative = -5e-7", r"\[results\].*>= 0"),
+        ('target    = "z_peak"', 'target    = "z_peak - z_peak"', r"\[results\] 6: the target is 0: only an absolute tolerance can judge it"),
         ('target    = "z_peak"', 'target    = "z_peek"', r"\[results\] 6: target: z_peek is not defined here; did you mean z_peak"),
         ('unit      = "in/s"', 'unit      = "in"', r"\[results\] 3: unit in does not fit: the formula is in in/s"),
         ('event     = "peak"', 'event     = "paek"', r"\[results\] 5: no event paek; did you mean peak"),

@@ -215,6 +215,15 @@ def test_published_difference_is_told_apart_into_explained_and_not(good, tmp_pat
     assert kinetic[-1] == "no; at 0.072 it is 193.099: yes"
 
 
+def test_results_of_one_event_stand_together_wherever_the_case_has_them(good, tmp_path):
+    peak_within = replace(good, rows=(*good.rows[:2], *good.rows[4:], *good.rows[2:4]))
+    assert [(event, len(rows)) for event, rows in peak_within.groups] == [
+        ("At Impact", 4), ("At Maximum Displacement", 2)
+    ]  # fmt: skip
+    _, html = written(peak_within, tmp_path)
+    assert html.count('<tr class="event">') == 2
+
+
 def test_planted_faults_say_how_far_theory_moves_what_must_fail(good, tmp_path):
     markdown, _ = written(good, tmp_path)
     stiff = table_after(markdown, "Planted faults")[2]

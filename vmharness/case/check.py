@@ -32,6 +32,7 @@ class Checks:
         self.events()
         self.results()
         self.curves()
+        self.parameters()
         self.files()
         self.budget()
         self.published()
@@ -144,6 +145,8 @@ class Checks:
             dimension = self.formula(place, f"curve {name}", line.formula, {"t": time})
             if line.unit is not None:
                 self.unit(place, line.unit, dimension)
+
+    def parameters(self) -> None:
         for name, text in self.file.deck.parameters.items():
             self.formula(f"[deck.parameters] {name}", f"parameter {name}", text)
 

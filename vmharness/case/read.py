@@ -31,6 +31,8 @@ def read(folder: Path) -> Case:
         dimensions=checked.dimensions,
         theory=theory,
     )
-    for result in file.results:
-        case.target(result.key)
+    for number, result in enumerate(file.results, 1):
+        if case.target(result.key) == 0.0 and result.tolerance.absolute == 0.0:
+            why = "the target is 0: only an absolute tolerance can judge it"
+            raise CaseError(f"{folder.name}/{FILE}: [results] {number}: {why}")
     return case

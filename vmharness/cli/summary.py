@@ -2,7 +2,6 @@
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from itertools import groupby
 from typing import TYPE_CHECKING
 
 from vmharness.cli.say import plain_table, say, say_table
@@ -33,7 +32,7 @@ def summarise(outcomes: Iterable[Outcome], again: Mapping[str, str], debug: bool
 def _results(run: "CaseRun") -> None:
     """The manual's table of a case, with the share of its tolerance that each result uses."""
     table = plain_table("Result", "Target", "Computed", "Error (%)", "Used (%)", "Verdict")
-    for event, rows in groupby(run.rows, key=lambda row: row.event):
+    for event, rows in run.groups:
         table.add_row(event)
         for row in rows:
             c = row.comparison

@@ -1,12 +1,64 @@
 """Planted faults: changes of the deck alone that a case must notice."""
 
-from vmharness.case import Case
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from vmharness.case import Case, CaseError
 from vmharness.case.change import changed_value
 from vmharness.case.format import Fault
+from vmharness.evidence.tolerance import allowed_difference
+
+
+@dataclass(frozen=True)
+class Move:
+    """How far a fault moves a result, by theory."""
+
+    percent: float | None  # of the target; None where that is zero
+    tolerances: float  # change / allowed difference: what is not above 1 cannot fail
 
 
 def planted(case: Case, fault: Fault) -> Case:
     """The case with `fault` in its deck: the theory, and so the targets, stay as they are."""
-    return case.with_deck_of(
-        {name: changed_value(case.given[name], change) for name, change in fault.change.items()}
-    )
+    return case.with_deck_of(_data(case, fault))
+
+
+def moves(case: Case, fault: Fault) -> Mapping[str, Move]:
+    """By key of each result that must fail: the target with the faulty data, against the sound one.
+
+    Raises CaseError where no parameter of the deck follows from the data, or theory has no value for them.
+    """
+    faulty = case.with_given(_data(case, fault))
+    return {key: _move(case, faulty, key) for key in fault.must_fail}
+
+
+def review(case: Case) -> list[str]:
+    """Faults that cannot make a result fail that they must, as sentences."""
+    wrong = []
+    for number, fault in enumerate(case.file.faults, 1):
+        place = f"[faults] {number} ({fault.text})"
+        try:
+            moved = moves(case, fault)
+        except CaseError as error:
+            wrong.append(f"{place}: {error}")
+            continue
+        wrong += [
+            f"{place}: {key} must fail, but theory moves it by {move.tolerances:.2g} of its tolerance only"
+            for key, move in moved.items()
+            if not move.tolerances > 1.0
+        ]
+    return wrong
+
+
+def _data(case: Case, fault: Fault) -> dict[str, float]:
+    """The changed data in consistent units."""
+    return {
+        name: changed_value(case.given[name], change, case.units.factor(case.file.given[name].unit))
+        for name, change in fault.change.items()
+    }
+
+
+def _move(case: Case, faulty: Case, key: str) -> Move:
+    target, allowed = case.target(key), allowed_difference(case, key)
+    change = faulty.target(key) - target
+    share = abs(change) / allowed if allowed else float("inf") if change else 0.0
+    return Move(100.0 * change / target if target else None, share)

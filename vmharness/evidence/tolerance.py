@@ -1,28 +1,39 @@
 """Whether a tolerance follows from the error budget of its result."""
 
+from collections.abc import Mapping
+
 from vmharness.case import Case
+from vmharness.case.format import Budget
+from vmharness.compare import Tolerance
 from vmharness.formula import Unit
 
 LOOSE = 10.0  # a tolerance above so many budgets accepts what the budget cannot explain
 
 
+def budget_lines(case: Case) -> list[tuple[Budget, Mapping[str, float]]]:
+    """Each line of the error budget, with its fractions of the targets by key."""
+    return [
+        (line, {key: case.evaluate(f"budget {number} {key}") for key in line.relative})
+        for number, line in enumerate(case.file.budget, 1)
+    ]
+
+
 def budget(case: Case, key: str) -> float | None:
     """The sum of the lines of the error budget for a result, as a fraction of its target; None without a line."""
-    lines = [
-        case.evaluate(f"budget {number} {key}")
-        for number, line in enumerate(case.file.budget, 1)
-        if key in line.relative
-    ]
-    return sum(lines) if lines else None
+    fractions = [values[key] for _, values in budget_lines(case) if key in values]
+    return sum(fractions) if fractions else None
+
+
+def allowed_difference(case: Case, key: str) -> float:
+    """How far a result may lie from its target, in consistent units."""
+    tolerance, factor = case.result(key).tolerance, case.units.factor(Unit(case.result(key).unit))
+    return Tolerance(tolerance.relative, tolerance.absolute * factor).allowed(case.target(key))
 
 
 def allowed(case: Case, key: str) -> float:
     """The tolerance of a result, as a fraction of its target; infinite where the target is zero."""
-    tolerance, target = case.result(key).tolerance, case.target(key)
-    if tolerance.absolute == 0.0:
-        return tolerance.relative
-    absolute = tolerance.absolute * case.units.factor(Unit(case.result(key).unit))
-    return tolerance.relative + (absolute / abs(target) if target else float("inf"))
+    target = case.target(key)
+    return allowed_difference(case, key) / abs(target) if target else float("inf")
 
 
 def review(case: Case) -> tuple[list[str], list[str]]:

@@ -2,11 +2,11 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from itertools import groupby
 
 from vmharness.case import Case, CaseError
-from vmharness.case.change import changed_value
 from vmharness.case.format import Budget, Fault, Given, as_line
+from vmharness.evidence.faults import Move, moves
+from vmharness.evidence.tolerance import budget_lines
 from vmharness.formula import Formula, Unit
 from vmharness.report.figures import histories, model
 from vmharness.report.figures.curves import Curve, curves
@@ -50,7 +50,7 @@ class PlantedFault:
     """A declared fault, and how far theory says that it moves each result that must fail."""
 
     fault: Fault
-    moves: Mapping[str, tuple[float, float] | None]  # by key: change in percent, and in tolerances
+    moves: Mapping[str, Move | None]  # by key; None where theory has no value for the faulty data
 
 
 @dataclass(frozen=True)
@@ -81,8 +81,8 @@ def page(run: CaseRun, volatile: bool = True) -> Page:
         data=_data(case),
         theory=_theory(case),
         curves=_curves(case),
-        groups=[(event, list(rows)) for event, rows in groupby(run.rows, key=lambda row: row.event)],
-        budget=_budget(case),
+        groups=run.groups,
+        budget=budget_lines(case),
         faults=[_fault(case, fault) for fault in case.file.faults],
         model=_model(run),
         histories=_histories(run, solver),
@@ -124,32 +124,11 @@ def _curves(case: Case) -> list[TheoryLine]:
     ]
 
 
-def _budget(case: Case) -> list[tuple[Budget, Mapping[str, float]]]:
-    return [
-        (line, {key: case.evaluate(f"budget {number} {key}") for key in line.relative})
-        for number, line in enumerate(case.file.budget, 1)
-    ]
-
-
 def _fault(case: Case, fault: Fault) -> PlantedFault:
-    """What theory says of the faulty deck: its data changed, against the sound targets and their tolerances."""
     try:
-        faulty = case.with_given(
-            {name: changed_value(case.given[name], by) for name, by in fault.change.items()}
-        )
+        return PlantedFault(fault, moves(case, fault))
     except CaseError:
         return PlantedFault(fault, dict.fromkeys(fault.must_fail))
-    return PlantedFault(fault, {key: _moved(case, faulty, key) for key in fault.must_fail})
-
-
-def _moved(case: Case, faulty: Case, key: str) -> tuple[float, float] | None:
-    target, tolerance = case.target(key), case.result(key).tolerance
-    factor = case.units.factor(Unit(case.result(key).unit))
-    allowed = tolerance.absolute * factor + tolerance.relative * abs(target)
-    if not target or not allowed:
-        return None
-    change = faulty.target(key) - target
-    return 100.0 * change / target, abs(change) / allowed
 
 
 def _model(run: CaseRun) -> Figure | None:

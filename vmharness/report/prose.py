@@ -8,7 +8,7 @@ from vmharness.case import Case
 
 FILE = "README.md"
 KIND = "image/svg+xml"
-_IMAGE = re.compile(r"!\[[^\]]*\]\(([^)\s]+)\)")
+_IMAGE = re.compile(r"!\[[^\]]*\]\(([^)\s]+)[^)]*\)")
 
 
 def sections(case: Case) -> dict[str, str]:
@@ -21,12 +21,28 @@ def sections(case: Case) -> dict[str, str]:
 
 def pictures(case: Case) -> dict[str, Path]:
     """The drawings (SVG) of the case's folder that its prose shows, by name; nothing outside the folder."""
-    named = {name for body in sections(case).values() for name in _IMAGE.findall(body)}
     return {
         name: case.folder / name
-        for name in sorted(named)
+        for name in _named(case)
         if Path(name).name == name and name.endswith(".svg") and (case.folder / name).is_file()
     }
+
+
+def review(case: Case) -> list[str]:
+    """What the page would lack, as sentences."""
+    if not (case.folder / FILE).is_file():
+        return [f"{FILE}: there is no such file in the case's folder"]
+    found = pictures(case)
+    return [
+        f"{FILE}: {name}: no drawing (.svg) in the case's folder"
+        for name in _named(case)
+        if name not in found
+    ]
+
+
+def _named(case: Case) -> list[str]:
+    """The images that the prose asks for."""
+    return sorted({name for body in sections(case).values() for name in _IMAGE.findall(body)})
 
 
 def html(markdown: str, found: dict[str, Path]) -> str:

@@ -44,7 +44,7 @@ def changes(page: Page) -> str:
 def moves(fault: PlantedFault) -> list[tuple[str, str]]:
     """Each result that must fail, and how far theory says that the fault moves it."""
     return [
-        (key, f"{decimals(moved[0])} %, {moved[1]:.0f} × tolerance" if moved else "")
+        (key, f"{decimals(moved.percent)} %, {moved.tolerances:.0f} × tolerance" if moved else "")
         for key, moved in fault.moves.items()
     ]
 

@@ -1,6 +1,6 @@
 """A case checked as far as it can be without running it."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,15 +17,18 @@ class Review:
 
 
 def check(folder: Path) -> Review:
-    """Read the case and its deck, build the model, find every channel in it, review the tolerances."""
+    """Read the case, its prose and its deck, build the model, find its channels, review tolerances and faults."""
     from vmharness.case import CaseError, read
-    from vmharness.evidence import tolerance
+    from vmharness.evidence import faults, tolerance
+    from vmharness.report import prose
 
     review = Review()
     try:
         case = read(folder)
         tight, review.doubtful = tolerance.review(case)
         review.wrong += tight
+        review.wrong += faults.review(case)
+        review.wrong += prose.review(case)
         review.wrong += _deck(case)
     except CaseError as error:
         review.wrong.append(str(error))
@@ -41,6 +44,7 @@ def _deck(case: "Case") -> list[str]:
 
     try:
         model = build(builtin.read_deck(case))
+        builtin.read_deck(_with_parameters_set(case))
     except DeckError as error:
         return [str(error)]
     wrong = []
@@ -50,3 +54,9 @@ def _deck(case: "Case") -> list[str]:
         except ProbeError as error:
             wrong.append(f"[channels] {name}: {error}")
     return wrong
+
+
+def _with_parameters_set(case: "Case") -> "Case":
+    """The case with every parameter that data can set, set: the deck must have it, and as one that can be set."""
+    values = {name: case.evaluate(f"parameter {name}") for name in case.file.deck.parameters}
+    return replace(case, planted=values)
