@@ -85,6 +85,7 @@ class Solution:
     seconds: float = 0.0
     seconds_loop: float = 0.0
     notes: tuple[str, ...] = ()  # what was read without effect
+    files: Mapping[str, str] = field(default_factory=dict)  # sha256 by name: the deck and what it includes
     view: View | None = None
     resolved_deck: str = ""  # the deck in long format, where its parameters were changed
 
@@ -116,6 +117,11 @@ class CaseRun:
         if self.solution.failure:
             return Verdict.ERROR
         return worst([row.verdict for row in self.rows])
+
+    @property
+    def included(self) -> dict[str, str]:
+        """SHA-256 of every file that the deck includes, by its name relative to the deck's folder."""
+        return {name: sha for name, sha in self.solution.files.items() if name != self.case.deck_path.name}
 
     @property
     def groups(self) -> list[tuple[str, list[Row]]]:

@@ -125,6 +125,20 @@ def test_the_index_counts_a_broken_case(ball, vm):
     assert "- broken: broken/case.toml" in text
 
 
+def test_a_narrowed_run_links_to_an_index_only_if_there_is_one_and_says_that_it_is_old(ball, vm):
+    ball()
+    page, link = Path("reports/VM-061/index.html"), 'href="../index.html"'
+    _, out, _ = vm("run", "VM-061")
+    assert link not in page.read_text()
+    assert "earlier run" not in out
+    _, out, _ = vm("run")
+    assert link in page.read_text()
+    assert "earlier run" not in out
+    _, out, _ = vm("run", "VM-061")
+    assert link in page.read_text()
+    assert "the index is of an earlier run; `vm run` without a selection makes it anew\n" in out
+
+
 def test_a_deck_that_the_solver_refuses_could_not_be_judged(ball, vm):
     folder = ball()
     deck = (folder / "deck.k").read_text()
@@ -159,7 +173,7 @@ def test_a_folder_that_cannot_be_written_is_4_and_the_verdict_is_told(here, ball
 
 def test_a_defect_of_a_report_does_not_hide_the_verdict(ball, vm, monkeypatch):
     ball()
-    monkeypatch.setattr("vmharness.report.write_case", lambda run, folder: 1 / 0)
+    monkeypatch.setattr("vmharness.report.write_case", lambda *run, **how: 1 / 0)
     code, out, _ = vm("run", "VM-061")
     assert code == 3
     assert "VM-061: defect: the report cannot be written: ZeroDivisionError" in out

@@ -34,7 +34,12 @@ PROGRESS_EVERY = 1000  # cycles
 
 def read_deck(case: Case) -> Deck:
     """The case's deck, with its parameters replaced where the data were changed."""
-    return read(case.deck_path, vocabulary(*FOLDERS), parameters=case.deck_parameters())
+    return read(
+        case.deck_path,
+        vocabulary(*FOLDERS),
+        parameters=case.deck_parameters(),
+        include_outside=case.file.deck.include_outside,
+    )
 
 
 def solve(case: Case, progress: Callable[[float], None] | None = None) -> Solution:
@@ -57,6 +62,7 @@ def solve(case: Case, progress: Callable[[float], None] | None = None) -> Soluti
         seconds=time.perf_counter() - began,
         seconds_loop=seconds,
         notes=tuple(deck.notes),
+        files=deck.files,
         view=view,
         resolved_deck=write_long(deck) if case.deck_parameters() else "",
     )

@@ -143,6 +143,9 @@ class Deck(Table, frozen=True):
     parameters: Annotated[
         dict[Name, Formula], Meta(description="*PARAMETER of the deck, as a formula over data and theory")
     ] = {}
+    include_outside: Annotated[
+        bool, Meta(description="Whether *INCLUDE may name files outside the deck's folder")
+    ] = False
 
 
 class CaseFile(Table, frozen=True):

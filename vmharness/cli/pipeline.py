@@ -82,7 +82,7 @@ def write_files(outcomes: Sequence[Outcome], wanted: Wanted) -> list[Outcome]:
 def _page(outcome: Outcome, wanted: Wanted) -> Outcome:
     if outcome.run is None or not wanted.report:
         return outcome
-    write = partial(reports.write_page, outcome.run, wanted.root, wanted.name(outcome.id))
+    write = partial(reports.write_page, outcome.run, wanted.root, wanted.name(outcome.id), wanted.index)
     return reports.attempted(outcome, "the report", write)
 
 

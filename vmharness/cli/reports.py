@@ -34,11 +34,11 @@ def get_ready() -> None:
     Thread(target=load, daemon=True).start()
 
 
-def write_page(run: "CaseRun", root: Path, name: str) -> None:
-    """Write the pages of a case to `root`/`name`."""
+def write_page(run: "CaseRun", root: Path, name: str, indexed: bool) -> None:
+    """Write the pages of a case to `root`/`name`; `indexed` if an index will follow."""
     from vmharness import report
 
-    report.write_case(replace(run, case=replace(run.case, id=name)), root)
+    report.write_case(replace(run, case=replace(run.case, id=name)), root, indexed=indexed)
 
 
 def write_file(format: str, runs: list["CaseRun"], unrun: Sequence["Unrun"], path: Path) -> None:

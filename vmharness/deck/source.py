@@ -1,6 +1,7 @@
 """The files of a deck as one stream of blocks: *INCLUDE followed, and guarded."""
 
 import hashlib
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -61,7 +62,7 @@ class Source:
         try:
             target = (self.folder / wanted).resolve()
             if not (self.include_outside or target.is_relative_to(self.folder)):
-                raise _at(place, "lies outside the deck's folder; only files within it are read")
+                raise _at(place, "lies outside the deck's folder, where files are read only if allowed")
             if target.is_file():
                 return target
         except (OSError, ValueError, RuntimeError):
@@ -83,7 +84,10 @@ class Source:
             return content.decode("latin-1")  # every byte is a character: comments and titles in any encoding
 
     def _name(self, path: Path) -> str:
-        return path.relative_to(self.folder).as_posix() if path.is_relative_to(self.folder) else str(path)
+        try:
+            return Path(os.path.relpath(path, self.folder)).as_posix()
+        except ValueError:  # another drive
+            return str(path)
 
 
 def names(block: Block) -> Iterator[tuple[str, int]]:

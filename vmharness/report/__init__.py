@@ -10,17 +10,18 @@ from vmharness.result import CaseRun, Unrun
 PAGES, FILES = "vmharness.report.pages", "vmharness.report.files"
 
 
-def write_case(run: CaseRun, folder: Path, volatile: bool = True) -> list[Path]:
-    """Write the page of a case into `folder`/<id> in every format of the manual, with its figures, and
-    the deck where it is not that of the case's folder.
+def write_case(run: CaseRun, folder: Path, volatile: bool = True, indexed: bool = False) -> list[Path]:
+    """Write the page of a case into `folder`/<id> in every format of the manual, with its figures.
 
-    All is rendered before any of it is written. What varies from run to run (machine, versions, date, seconds) is
-    in the HTML alone, and left out of it too unless `volatile`. Raises OSError.
+    A deck that is not the one of the case's folder is written, too. All is rendered before any of it is
+    written. What varies from run to run (machine, versions, date, seconds) is in the HTML alone, and left out of it
+    too unless `volatile`. The page leads back to the index where there is one, or will be (`indexed`). Raises OSError.
     """
     from vmharness.report.page import page
     from vmharness.report.prose import pictures
 
-    content, to = page(run, volatile), folder / run.case.id
+    indexed = indexed or all((folder / form.FILE).is_file() for form in dropins.modules(PAGES))
+    content, to = page(run, volatile, indexed), folder / run.case.id
     texts = {to / form.FILE: form.case(content, to) for form in dropins.modules(PAGES)}
     for figure in filter(None, [content.model, *content.histories]):
         texts[to / f"{figure.name}.svg"] = figure.svg

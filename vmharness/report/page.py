@@ -69,9 +69,10 @@ class Page:
     model: Figure | None
     histories: list[Figure]
     volatile: bool  # whether what varies from run to run may be shown
+    indexed: bool  # whether an index lies in the folder above
 
 
-def page(run: CaseRun, volatile: bool = True) -> Page:
+def page(run: CaseRun, volatile: bool = True, indexed: bool = False) -> Page:
     """Everything on the page of a run; figures are drawn here, once for all formats."""
     case, solver = run.case, short_name(run.solution.solver)
     return Page(
@@ -87,6 +88,7 @@ def page(run: CaseRun, volatile: bool = True) -> Page:
         model=_model(run),
         histories=_histories(run, solver),
         volatile=volatile,
+        indexed=indexed,
     )
 
 

@@ -68,6 +68,8 @@ def command(
     summarise(outcomes, again(found, ctx.params), ctx.find_root().params["debug"])
     if wanted.report:
         _say_where([wanted.name(case.id) for case in found], wanted.root)
+        if not wanted.index and (wanted.root / "index.html").is_file():
+            say("the index is of an earlier run; `vm run` without a selection makes it anew")
     return exit_code(outcome.status for outcome in outcomes)
 
 

@@ -31,6 +31,7 @@ def _suite(run: CaseRun) -> Element:
         ("cycles", str(run.solution.cycles)),
         ("deck.sha256", run.deck_sha256),
         ("case.sha256", run.case_sha256),
+        *((f"{name}.sha256", sha256) for name, sha256 in run.included.items()),
     ):
         SubElement(properties, "property", name=name, value=_legal(value))
     tests = [_test(run, row) for row in run.rows]

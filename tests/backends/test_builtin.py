@@ -1,0 +1,55 @@
+"""The deck of a case as the built-in solver reads it."""
+
+import hashlib
+import shutil
+from pathlib import Path
+
+import pytest
+
+from vmharness.backends import builtin
+from vmharness.case import read
+from vmharness.run import run
+
+BALL = Path(__file__).parents[2] / "cases" / "VM-061"
+GRAVITY = "*LOAD_BODY_Z\n$#    lcid        sf    lciddr        xc        yc        zc\n         1        &G\n"
+
+
+@pytest.fixture
+def including(tmp_path):
+    """Makes a copy of the case whose deck includes its gravity from a file of the given name."""
+
+    def case(name, *lines):
+        folder = shutil.copytree(BALL, tmp_path / "VM-061")
+        deck = (folder / "deck.k").read_text()
+        assert GRAVITY in deck
+        coarse = deck.replace("RRHO         7.3E-4", "RRHO         2.5437")
+        (folder / "deck.k").write_text(coarse.replace(GRAVITY, f"*INCLUDE\n{name}\n"))
+        (folder / name).write_text(GRAVITY)
+        text = (folder / "case.toml").read_text()
+        (folder / "case.toml").write_text(text.replace("[deck]\n", "\n".join(["[deck]", *lines, ""])))
+        return read(folder)
+
+    return case
+
+
+def test_a_file_outside_the_case_is_included_only_if_the_case_allows_it(including, tmp_path):
+    assert "lies outside the deck's folder" in run(including("../gravity.k"), builtin).reason
+    shutil.rmtree(tmp_path / "VM-061")
+    allowed = run(including("../gravity.k", "include_outside = true"), builtin)
+    assert allowed.reason == ""
+    digest = hashlib.sha256(GRAVITY.encode()).hexdigest()
+    assert allowed.included == {"../gravity.k": digest}
+
+
+def test_the_hash_of_every_included_file_is_on_the_page_and_in_junit(including, tmp_path):
+    from vmharness.report import render, write_case
+
+    judged = run(including("gravity.k"), builtin)
+    assert judged.reason == ""
+    digest = hashlib.sha256(GRAVITY.encode()).hexdigest()
+    write_case(judged, tmp_path / "reports")
+    for name in ("README.md", "index.html"):
+        text = (tmp_path / "reports" / "VM-061" / name).read_text()
+        assert digest in text
+        assert judged.deck_sha256 in text
+    assert f'name="gravity.k.sha256" value="{digest}"' in render("junit", [judged])
