@@ -167,8 +167,13 @@ def test_a_folder_that_cannot_be_written_is_4_and_the_verdict_is_told(here, ball
     (here / "occupied").write_text("")
     code, out, _ = vm("run", "VM-061", "--out", "occupied/reports")
     assert code == 4
-    assert "the report cannot be written" in out
+    assert "not written: the report of VM-061 cannot be written: " in out
     assert "Z-Displacement" in out
+    assert out.splitlines()[-1] == "1 pass"
+    code, out, _ = vm("run", "VM-061", "--no-report", "--json", "occupied/r.json")
+    assert code == 4
+    assert "not written: occupied/r.json cannot be written: " in out
+    assert "case error" not in out
 
 
 def test_a_defect_of_a_report_does_not_hide_the_verdict(ball, vm, monkeypatch):
@@ -176,7 +181,7 @@ def test_a_defect_of_a_report_does_not_hide_the_verdict(ball, vm, monkeypatch):
     monkeypatch.setattr("vmharness.report.write_case", lambda *run, **how: 1 / 0)
     code, out, _ = vm("run", "VM-061")
     assert code == 3
-    assert "VM-061: defect: the report cannot be written: ZeroDivisionError" in out
+    assert "defect: the report of VM-061 cannot be written: ZeroDivisionError" in out
 
 
 def test_a_case_by_its_path(here, ball, vm, monkeypatch):

@@ -12,6 +12,7 @@ def test_each_status_alone():
         Status.NOT_RUN: 2,
         Status.DEFECT: 3,
         Status.BROKEN: 4,
+        Status.UNWRITTEN: 4,
         Status.UNJUDGED: 6,
     }
     assert codes == EXIT_CODES

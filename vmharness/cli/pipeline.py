@@ -11,7 +11,7 @@ from vmharness.cli.read import read_cases
 from vmharness.cli.say import complain, say
 from vmharness.suite import last_run, settings
 from vmharness.suite.judge import judged, solving
-from vmharness.suite.outcome import Outcome, Status
+from vmharness.suite.outcome import Outcome, Status, Unwritten
 from vmharness.suite.pool import Pool
 from vmharness.suite.select import Entry
 
@@ -37,8 +37,12 @@ class Wanted:
         return settings.label(id, self.data) if self.data else id
 
 
-def run_cases(found: Sequence[Entry], wanted: Wanted) -> list[Outcome]:
-    """What becomes of every case: solved in a worker, judged, its page written. Ctrl-C leaves what is done."""
+def run_cases(found: Sequence[Entry], wanted: Wanted) -> tuple[list[Outcome], list[Unwritten]]:
+    """What becomes of every case: solved in a worker, judged, its page written. Ctrl-C leaves what is done.
+
+    Returns that, and which pages could not be written.
+    """
+    unwritten: list[Unwritten] = []
     with Pool(
         min(wanted.jobs, len(found)), solving, wanted.solver
     ) as pool:  # they start while cases are read
@@ -49,7 +53,8 @@ def run_cases(found: Sequence[Entry], wanted: Wanted) -> list[Outcome]:
         events = judged(pool, cases, wanted.solver, wanted.timeout)
         try:
             for outcome in shown(events, [case.id for case in cases]):
-                outcomes.append(_page(outcome, wanted))
+                outcomes.append(outcome)
+                unwritten += _page(outcome, wanted)
                 if len(cases) > 1:
                     say(f"{outcome.id}: {outcome.status}")
         except KeyboardInterrupt:
@@ -58,10 +63,10 @@ def run_cases(found: Sequence[Entry], wanted: Wanted) -> list[Outcome]:
             outcomes += [
                 Outcome(case.id, Status.NOT_RUN, NOT_REACHED) for case in cases if case.id not in done
             ]
-    return outcomes
+    return outcomes, unwritten
 
 
-def write_files(outcomes: Sequence[Outcome], wanted: Wanted) -> list[Outcome]:
+def write_files(outcomes: Sequence[Outcome], wanted: Wanted) -> list[Unwritten]:
     """Write the index, the formats for machines, and what --lf needs; returns what could not be written."""
     from vmharness import report
     from vmharness.result import Unrun
@@ -75,15 +80,14 @@ def write_files(outcomes: Sequence[Outcome], wanted: Wanted) -> list[Outcome]:
         tasks["the index"] = partial(report.write_index, runs, wanted.root, unrun)
     if not wanted.data:
         tasks[str(wanted.root / last_run.FILE)] = partial(last_run.write, wanted.root, outcomes)
-    done = [reports.attempted(Outcome(what, Status.PASS), "it", write) for what, write in tasks.items()]
-    return [outcome for outcome in done if outcome.status is not Status.PASS]
+    return [failed for what, write in tasks.items() for failed in reports.attempted(what, write)]
 
 
-def _page(outcome: Outcome, wanted: Wanted) -> Outcome:
+def _page(outcome: Outcome, wanted: Wanted) -> list[Unwritten]:
     if outcome.run is None or not wanted.report:
-        return outcome
+        return []
     write = partial(reports.write_page, outcome.run, wanted.root, wanted.name(outcome.id), wanted.index)
-    return reports.attempted(outcome, "the report", write)
+    return reports.attempted(f"the report of {outcome.id}", write)
 
 
 def _say_if_cold(solver: str) -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 from threading import Thread
 from typing import TYPE_CHECKING
 
-from vmharness.suite.outcome import Outcome, Status
+from vmharness.suite.outcome import Status, Unwritten
 
 if TYPE_CHECKING:
     from vmharness.result import CaseRun, Unrun
@@ -49,13 +49,13 @@ def write_file(format: str, runs: list["CaseRun"], unrun: Sequence["Unrun"], pat
     atomic.write(path, report.render(format, runs, unrun))
 
 
-def attempted(outcome: Outcome, what: str, write: Callable[[], object]) -> Outcome:
-    """Do `write`; the outcome, or where that fails what it has then become: a wrong place, or a defect."""
+def attempted(what: str, write: Callable[[], object]) -> list[Unwritten]:
+    """Do `write`; nothing, or where that fails what is then not written."""
     try:
         write()
-        return outcome
     except OSError as error:
-        return replace(outcome, status=Status.BROKEN, reason=f"{what} cannot be written: {error}")
+        return [Unwritten(what, Status.UNWRITTEN, str(error))]
     except Exception as error:
-        reason = f"{what} cannot be written: {type(error).__name__}: {error}"
-        return replace(outcome, status=Status.DEFECT, reason=reason, traceback=traceback.format_exc())
+        reason = f"{type(error).__name__}: {error}"
+        return [Unwritten(what, Status.DEFECT, reason, traceback.format_exc())]
+    return []

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from vmharness.cli.say import plain_table, say, say_table
-from vmharness.suite.outcome import Outcome, Status, worst_first
+from vmharness.suite.outcome import Outcome, Status, Unwritten, worst_first
 
 if TYPE_CHECKING:
     from rich.text import Text
@@ -15,8 +15,13 @@ if TYPE_CHECKING:
 COLOURS = {Status.PASS: "green", Status.FAIL: "red"}  # what is neither is yellow
 
 
-def summarise(outcomes: Iterable[Outcome], again: Mapping[str, str], debug: bool) -> None:
-    """Print the table of cases, then for each that did not pass why, and the line of `again` that runs it."""
+def summarise(
+    outcomes: Iterable[Outcome], unwritten: Iterable[Unwritten], again: Mapping[str, str], debug: bool
+) -> None:
+    """Print the table of cases, then for each that did not pass why, and the line of `again` that runs it.
+
+    What could not be written is said after the cases.
+    """
     ordered = worst_first(outcomes)
     runs = [outcome.run for outcome in ordered if outcome.run is not None]
     if len(runs) == 1 and runs[0].solution.history is not None:
@@ -25,6 +30,10 @@ def summarise(outcomes: Iterable[Outcome], again: Mapping[str, str], debug: bool
     for outcome in ordered:
         if outcome.status is not Status.PASS:
             _explain(outcome, again, debug)
+    for file in unwritten:
+        say(f"{file.status}: {file.what} cannot be written: {file.reason}")
+        if debug and file.traceback:
+            say(file.traceback)
     counts = Counter(outcome.status for outcome in ordered)
     say(", ".join(f"{count} {status}" for status in Status if (count := counts[status])))
 

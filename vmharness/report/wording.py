@@ -8,13 +8,18 @@ from vmharness.result import CaseRun, Reading
 SIGNS = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.ERROR: "!"}
 
 
+def sign(verdict: Verdict) -> str:
+    """The sign alone, for where there is no room."""
+    return SIGNS[verdict]
+
+
 def badge(verdict: Verdict) -> str:
     """The verdict with its sign, so that colour is never needed to tell it.
 
     >>> badge(Verdict.FAIL)
     '✗ fail'
     """
-    return f"{SIGNS[verdict]} {verdict}"
+    return f"{sign(verdict)} {verdict}"
 
 
 def summary(run: CaseRun) -> str:

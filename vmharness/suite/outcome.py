@@ -15,6 +15,7 @@ class Status(StrEnum):
     NOT_RUN = "not run"  # interrupted before it was done
     DEFECT = "defect"  # of the harness
     BROKEN = "case error"
+    UNWRITTEN = "not written"  # said of a file, never of a case
     UNJUDGED = "error"  # the solver is missing, crashed, or ran out of time
     FAIL = "fail"
     PASS = "pass"
@@ -24,11 +25,22 @@ EXIT_CODES = {
     Status.NOT_RUN: 2,
     Status.DEFECT: 3,
     Status.BROKEN: 4,
+    Status.UNWRITTEN: 4,
     Status.UNJUDGED: 6,
     Status.FAIL: 1,
     Status.PASS: 0,
 }
 NOTHING_SELECTED = 5
+
+
+@dataclass(frozen=True)
+class Unwritten:
+    """A file that could not be written, for its place is wrong or for a defect, and why."""
+
+    what: str
+    status: Status
+    reason: str
+    traceback: str = ""  # of a defect
 
 
 @dataclass(frozen=True)

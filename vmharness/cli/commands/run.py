@@ -63,14 +63,15 @@ def command(
         files=options.files(ctx),
     )
     outcomes = [Outcome(selector, Status.BROKEN, problem) for selector, problem in unknown.items()]
-    outcomes += run_cases(found, wanted)
-    outcomes += write_files(outcomes, wanted)
-    summarise(outcomes, again(found, ctx.params), ctx.find_root().params["debug"])
+    done, unwritten = run_cases(found, wanted)
+    outcomes += done
+    unwritten += write_files(outcomes, wanted)
+    summarise(outcomes, unwritten, again(found, ctx.params), ctx.find_root().params["debug"])
     if wanted.report:
         _say_where([wanted.name(case.id) for case in found], wanted.root)
         if not wanted.index and (wanted.root / "index.html").is_file():
             say("the index is of an earlier run; `vm run` without a selection makes it anew")
-    return exit_code(outcome.status for outcome in outcomes)
+    return exit_code([*(outcome.status for outcome in outcomes), *(file.status for file in unwritten)])
 
 
 def _say_where(names: Sequence[str], root: Path) -> None:
