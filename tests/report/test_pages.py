@@ -215,6 +215,15 @@ def test_published_difference_is_told_apart_into_explained_and_not(good, tmp_pat
     assert kinetic[-1] == "no; at 0.072 it is 193.099: yes"
 
 
+def test_the_head_of_a_row_tells_the_verdict_where_its_column_is_off_the_screen(failed, tmp_path):
+    _, html = written(failed, tmp_path)
+    heads = re.findall(r'<tr><th scope="row"><span class="sign (\w+)" title="\w+">(.)</span>', html)
+    assert heads == [("pass", "✓")] * 5 + [("fail", "✗")]
+    assert [attributes["data-head"] for tag, attributes in Page(html).tags if "data-head" in attributes] == [
+        "Material", "Geometric", "Loading", "Model",
+    ]  # fmt: skip
+
+
 def test_results_of_one_event_stand_together_wherever_the_case_has_them(good, tmp_path):
     peak_within = replace(good, rows=(*good.rows[:2], *good.rows[4:], *good.rows[2:4]))
     assert [(event, len(rows)) for event, rows in peak_within.groups] == [
