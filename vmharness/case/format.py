@@ -61,6 +61,9 @@ class Channel(Table, frozen=True):
     part: Annotated[int | None, Meta(description="Part whose energy it is, else the whole model's")] = None
     contact: Annotated[int | None, Meta(description="Number of the contact in the deck's order")] = None
     support: Annotated[Literal["all"] | None, Meta(description="Reactions of all supports together")] = None
+    motion: Annotated[int | None, Meta(description="Number of the prescribed motion in the deck's order")] = (
+        None
+    )
     energy: Annotated[str | None, Meta(description="kinetic, contact, external work, total, ratio, ...")] = (
         None
     )
@@ -173,7 +176,17 @@ class CaseFile(Table, frozen=True):
     files: Annotated[list[Text], Meta(description="Further input files to offer beside the deck")] = []
 
 
-OWNERS = ("node", "shell", "solid", "beam", "discrete", "contact", "support", "energy")  # of a channel
+OWNERS = (
+    "node",
+    "shell",
+    "solid",
+    "beam",
+    "discrete",
+    "contact",
+    "support",
+    "motion",
+    "energy",
+)  # of a channel
 
 
 def as_line(line: str | Line) -> Line:
