@@ -64,7 +64,9 @@ def test_reaction_holds_against_a_load_and_takes_back_its_work(wall_and):
     for _ in steps(model):
         assert force() == pytest.approx(-7.0, rel=1e-12)
         assert closes() == pytest.approx(0.0, abs=1e-13)
-    assert model.constraints[0].energy["external work"][0] == pytest.approx(-7.0 * 0.5 * model.state.t, rel=1e-12)
+    assert model.constraints[0].energy["external work"][0] == pytest.approx(
+        -7.0 * 0.5 * model.state.t, rel=1e-12
+    )
     with pytest.raises(probe.ProbeError, match="no prescribed motion 2; the deck has 1"):
         probe.motion(model, 2, "z-force")
 
@@ -104,12 +106,12 @@ def test_work_on_an_elastic_body_balances(wall_and, vad):
     smooth = "*DEFINE_CURVE\n2\n" + "".join(
         f"{t},{1e-3 * t**2 * (3 - 2 * t)}\n" for t in np.linspace(0, 1, 41)
     )
-    motion = f"*BOUNDARY_PRESCRIBED_MOTION_SET\n3,1,{vad},2\n"
+    motion = f"*BOUNDARY_PRESCRIBED_MOTION_SET\n3,1,{vad},2\n*CONTROL_TIMESTEP\n0.0,0.1\n"
     model = wall_and(plate + smooth + motion, end=0.99)
-    ratio, most = probe.energies(model, "ratio"), 0.0
-    for s in steps(model):
-        most = max(most, abs(ratio() - 1.0)) if s.t > 0.3 else most
-    assert most < 5e-3
+    closes, kinetic = balance(model), probe.energies(model, "kinetic")
+    off, size = np.array([(closes(), kinetic()) for _ in steps(model)]).T
+    # Leapfrog's own m dt^2/8 a^2 of the free nodes, with omega dt = 0.14 of the shell.
+    assert np.abs(off).max() < 0.14**2 / 8.0 * size.max()
 
 
 @pytest.mark.parametrize(
