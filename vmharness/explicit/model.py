@@ -14,8 +14,9 @@ from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.force import Force
 from vmharness.explicit.state import Array, State
 
-# Folders whose modules each add to the model by `build(deck, model)`. Supports come last: they overrule velocities.
-PARTS = ("elements", "contacts", "loads", "initial", "constraints")
+# Folders whose modules each add to the model by `build(deck, model)`. Supports come late: they overrule velocities.
+# Damping comes last: it acts on the accelerations that all others have left.
+PARTS = ("elements", "contacts", "loads", "initial", "constraints", "damping")
 
 
 @dataclass
