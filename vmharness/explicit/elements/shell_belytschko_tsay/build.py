@@ -48,6 +48,7 @@ def _force(deck: Deck, model: Model, part: Part, t: Array) -> BelytschkoTsay:
             hourglass=_hourglass(deck, part.part),
             isdo=timestep.isdo if timestep else 0,
             history=law.HISTORY["plane_stress"],
+            channels=getattr(law, "CHANNELS", {}),
             eid=part.eid,
             pid=part.pid,
         )
