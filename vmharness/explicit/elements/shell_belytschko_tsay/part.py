@@ -21,8 +21,9 @@ class BelytschkoTsay:
     """Shells of one part: a force with the energies "internal" and "hourglass".
 
     `nodes (ne, 4)`: rows of the state's arrays; `x (n, 3)`: initial coordinates; `thickness (ne,)`; `law` and its
-    `constants`, with `history` variables per point: see materials/elastic.py; `channels`: names of some of these; `stiffness`: E and nu for hourglass
-    control and the stable step; `nip`: Gauss points through the thickness, 1 to 10; `shrf`: shear factor kappa.
+    `constants`, with `history` variables per point: see materials/elastic.py; `channels`: names of some of these;
+    `stiffness`: E and nu for hourglass control and the stable step; `nip`: Gauss points through the thickness, 1 to 10; `shrf`: shear factor kappa;
+    `thinning`: the thickness follows the strain through it.
     Consistent units. Raises ValueError for a shape or an option that the element does not know.
     """
 
@@ -42,6 +43,7 @@ class BelytschkoTsay:
         shrf: float = 1.0,
         hourglass: Hourglass | None = None,
         isdo: int = 0,
+        thinning: bool = False,
         history: int = 0,
         channels: Mapping[str, int] | None = None,
         eid: NDArray[np.int64] | None = None,
@@ -57,7 +59,7 @@ class BelytschkoTsay:
         self.elements, self.nip = elements, nip
         self._channels = dict(channels or {})
         self._shrf, self._constants = float(shrf), constants
-        self._viscous = control.viscous
+        self._viscous, self._thinning = control.viscous, thinning
         self._wave_speed = wave_speed(stiffness, density, isdo)
         self._length = np.inf
         self._points = np.stack(np.polynomial.legendre.leggauss(nip), axis=1)
@@ -83,6 +85,7 @@ class BelytschkoTsay:
             self._section,
             self._points,
             self._shrf,
+            self._thinning,
             self._constants,
             self._stress,
             self._history,
@@ -111,6 +114,10 @@ class BelytschkoTsay:
         """`xx-stress`, ... of an element (its place in `eid`) in its own frame, at a point counted from the lowest."""
         stresses = {f"{axes}-stress": (self._stress, row) for row, axes in enumerate(STRESSES)}
         known = stresses | {name: (self._history, row) for name, row in self._channels.items()}
+        known["thickness"] = (
+            np.broadcast_to(self._section[:, None], (len(self._section), self.nip, 4 * LANES)),
+            0,
+        )
         if component not in known:
             raise ValueError(f"no {component!r} of a shell; there are: {', '.join(known)}")
         if not 1 <= point <= self.nip:
