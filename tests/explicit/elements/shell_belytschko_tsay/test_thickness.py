@@ -105,7 +105,7 @@ def test_moment_falls_with_the_square_of_the_thickness(bench):
 def test_from_the_deck(wall_and, istupd):
     """ISTUPD of *CONTROL_SHELL: a steel sheet far beyond yield thins by its plastic strain, or not at all."""
     sheet = "*PART\np\n2,1,2\n*ELEMENT_SHELL\n2,2,1,2,3,4\n"
-    steel = "*MAT_PLASTIC_KINEMATIC\n2,1e-4,3.0,0.3,1e-6\n"
+    steel = "*MAT_PLASTIC_KINEMATIC\n2,1e-4,3.0,0.3,1e-6\n\n"
     model = wall_and(f"*CONTROL_SHELL\n20.0,,,{istupd}\n" + steel + sheet)
     model.state.v[1:3, 0], model.state.v[2:, 1] = (
         0.2,
