@@ -6,8 +6,6 @@ A module of the folder has
     HISTORY     history variables per point, by state of stress; what is not listed the law cannot do
     constants   (deck, entry) -> tuple of what the law needs of the card, made once
     CHANNELS    names of history variables that can be read off, by place; may be missing
-    TENSORS     history variables xx, yy, zz, xy, yz, zx that turn with the material, by state of stress, as a slice;
-                may be missing
 
 and a kernel for each state of stress of HISTORY: plane_stress (shells), solid, uniaxial (bars), spring.
 """

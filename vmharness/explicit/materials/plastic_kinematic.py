@@ -7,8 +7,6 @@ The slope ETAN of the uniaxial stress-strain curve gives the plastic modulus, wh
 Rates: Cowper and Symonds, if SRC and SRP are given. The laws are those of explicit/plasticity.
 Source: R. D. Krieg, S. W. Key, Implementation of a time dependent plasticity theory into structural computer programs
 (1976); Hallquist, LS-DYNA Theory Manual, material model 3.
-
-In a solid the back stress turns with the material: an element rotates the tensor of TENSORS as it does the stress.
 """
 
 from vmharness.deck import Card, Deck, Entry, Keyword, integer, only, real
@@ -19,7 +17,7 @@ from vmharness.explicit.plasticity.rate import Rate, cowper_symonds
 from vmharness.explicit.plasticity.solid import solid
 from vmharness.explicit.plasticity.uniaxial import uniaxial
 
-__all__ = ["CHANNELS", "HISTORY", "KEYWORD", "TENSORS", "constants", "plane_stress", "solid", "uniaxial"]
+__all__ = ["CHANNELS", "HISTORY", "KEYWORD", "constants", "plane_stress", "solid", "uniaxial"]
 
 KEYWORD = Keyword(
     "MAT_PLASTIC_KINEMATIC",
@@ -42,7 +40,6 @@ KEYWORD = Keyword(
 
 HISTORY = {"plane_stress": 6, "solid": 7, "uniaxial": 2}  # p, and the back stress
 CHANNELS = {"plastic-strain": 0}
-TENSORS = {"solid": slice(1, 7)}
 
 
 def constants(deck: Deck, entry: Entry) -> tuple[float, float, float, Curve, Rate | None]:

@@ -23,7 +23,8 @@ class BelytschkoTsay:
     `nodes (ne, 4)`: rows of the state's arrays; `x (n, 3)`: initial coordinates; `thickness (ne,)`; `law` and its
     `constants`, with `history` variables per point: see materials/elastic.py; `channels`: names of some of these;
     `stiffness`: E and nu for hourglass control and the stable step; `nip`: Gauss points through the thickness, 1 to
-    10; `shrf`: shear factor kappa; `thinning`: the thickness follows the strain through it. Consistent units. Raises ValueError for a shape or an option that the element does not know.
+    10; `shrf`: shear factor kappa; `thinning`: the thickness follows the strain through it. Consistent units.
+    Raises ValueError for a shape or an option that the element does not know.
     """
 
     kind = "shell"
