@@ -56,8 +56,7 @@ def test_beams_and_trusses_in_one_deck(deck):
     assert m.state.mass[1] == pytest.approx(7850.0 * (2e-4 / 2 + 1e-4 * 0.7 / 2))
     assert m.state.mass[2] == 0.0  # the third node only shows a direction
     m.state.v[1, 0] = 1.0
-    for s in steps(m):
-        pass
+    *_, s = steps(m)
     assert np.isfinite(s.x).all()
     pull = [probe.element(m, "beam", eid, "axial-stress")() for eid in (1, 2)]
     assert pull[0] / pull[1] == pytest.approx(0.7, rel=1e-3)

@@ -117,7 +117,7 @@ def test_resultants_of_a_cantilever_with_a_force_at_its_end(bench):
         bench.E * bench.RECTANGLE.iss,
     )  # s = y, t = z
     turn = np.array([[0.0, 0, 0], [0, -F * L**2 / (2 * EI), 0]])
-    bench.internal(block, bench.at_rest(x), x + [[0.0, 0, 0], [0, 0, F * L**3 / (3 * EI)]], turn)
+    bench.internal(block, bench.at_rest(x), x + np.array([[0.0, 0, 0], [0, 0, F * L**3 / (3 * EI)]]), turn)
     read = {
         name: [block.probe(0, end, name)() for end in (1, 2)]
         for name in ("t-shear", "s-moment", "s-shear", "t-moment", "torsion")
