@@ -61,6 +61,9 @@ class Channel(Table, frozen=True):
     part: Annotated[int | None, Meta(description="Part whose energy it is, else the whole model's")] = None
     contact: Annotated[int | None, Meta(description="Number of the contact in the deck's order")] = None
     support: Annotated[Literal["all"] | None, Meta(description="Reactions of all supports together")] = None
+    motion: Annotated[int | None, Meta(description="Number of the prescribed motion in the deck's order")] = (
+        None
+    )
     energy: Annotated[str | None, Meta(description="kinetic, contact, external work, total, ratio, ...")] = (
         None
     )
@@ -68,7 +71,7 @@ class Channel(Table, frozen=True):
 
 
 class Event(Table, frozen=True):
-    """An instant of interest: at a time, or found between samples of the channel that one of the `..._of` keys names."""
+    """An instant of interest: at a time, or found between samples of the channel that a `..._of` key names."""
 
     title: Text
     onset_of: Name | None = None
@@ -175,7 +178,17 @@ class CaseFile(Table, frozen=True):
 
 
 EVENTS = ("at", "onset_of", "crossing_of", "minimum_of", "maximum_of")
-OWNERS = ("node", "shell", "solid", "beam", "discrete", "contact", "support", "energy")  # of a channel
+OWNERS = (
+    "node",
+    "shell",
+    "solid",
+    "beam",
+    "discrete",
+    "contact",
+    "support",
+    "motion",
+    "energy",
+)  # of a channel
 
 
 def as_line(line: str | Line) -> Line:
