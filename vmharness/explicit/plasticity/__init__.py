@@ -18,5 +18,5 @@ backward Euler rule: the flow direction is that of the end of the step, and the 
 The three laws take the constants (E, nu, C, Y, rate); C is None without kinematic hardening, rate without dependence
 on it, and the compiled law then has no trace of them. History: p, then the components of alpha if there is a C. No
 branch depends on the point's state: Newton's rule takes a fixed number of steps, and stays at dp = 0 where the trial
-stress is elastic.
+stress is elastic. Strain and stress are components in a frame that turns with the element, so alpha needs no rotation.
 """

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 from vmharness.explicit.compiled import specialise
 from vmharness.explicit.elements.shell_belytschko_tsay import step
 from vmharness.explicit.elements.shell_belytschko_tsay.hourglass import Hourglass, moduli
-from vmharness.explicit.elements.shell_belytschko_tsay.lanes import LANES, ROWS, Indices, by_block, by_element
+from vmharness.explicit.elements.shell_belytschko_tsay.lanes import ROWS
 from vmharness.explicit.elements.shell_belytschko_tsay.length import LENGTHS, wave_speed
+from vmharness.explicit.lanes import LANES, Indices, by_block, by_element
 from vmharness.explicit.state import Array, State
 
 STRESSES = ("xx", "yy", "xy", "yz", "zx")

@@ -14,7 +14,6 @@ from vmharness.explicit.elements.shell_belytschko_tsay.lanes import (
     AREA,
     CURVATURE,
     HOURGLASS_WORK,
-    LANES,
     LENGTH,
     MEMBRANE,
     MOMENT,
@@ -23,7 +22,6 @@ from vmharness.explicit.elements.shell_belytschko_tsay.lanes import (
     THINNING,
     WORK,
     F,
-    Indices,
     M,
     N,
     Q,
@@ -32,15 +30,12 @@ from vmharness.explicit.elements.shell_belytschko_tsay.lanes import (
     V,
     X,
     corners,
-    gather,
-    put,
     put_corners,
-    scatter,
-    vector,
 )
 from vmharness.explicit.elements.shell_belytschko_tsay.length import by_side as length
 from vmharness.explicit.elements.shell_belytschko_tsay.rates import increments
 from vmharness.explicit.elements.shell_belytschko_tsay.thickness import thin
+from vmharness.explicit.lanes import LANES, Indices, gather, put, scatter, vector
 from vmharness.explicit.materials.elastic import plane_stress as law
 from vmharness.explicit.state import Array
 from vmharness.explicit.vector import add, dot, scale
