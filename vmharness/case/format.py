@@ -71,13 +71,14 @@ class Channel(Table, frozen=True):
 
 
 class Event(Table, frozen=True):
-    """An instant of interest, found between samples; just one of the `..._of` keys names its channel."""
+    """An instant of interest: at a time, or found between samples of the channel that a `..._of` key names."""
 
     title: Text
     onset_of: Name | None = None
     crossing_of: Name | None = None
     minimum_of: Name | None = None
     maximum_of: Name | None = None
+    at: Annotated[Formula | None, Meta(description="The time itself")] = None
     level: Annotated[Formula | None, Meta(description="Level of a crossing")] = None
     direction: Literal["up", "down"] | None = None
     times: Annotated[Count, Meta(description="How often it happens in the run; any other number fails")] = 1
@@ -176,6 +177,7 @@ class CaseFile(Table, frozen=True):
     files: Annotated[list[Text], Meta(description="Further input files to offer beside the deck")] = []
 
 
+EVENTS = ("at", "onset_of", "crossing_of", "minimum_of", "maximum_of")
 OWNERS = (
     "node",
     "shell",

@@ -101,10 +101,11 @@ def energies(model: Model, name: str, part: int | None = None) -> Probe:
             probes["external work"],
             _sum([a for kind in energy.STORED for a in energy.accounts(items, kind)]),
         )
-        initial = energy.kinetic(s)
 
         def total() -> float:
             return energy.kinetic(s) + stored()
+
+        initial = total()
 
         probes |= {
             "kinetic": lambda: energy.kinetic(s),

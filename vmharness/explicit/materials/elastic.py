@@ -11,6 +11,10 @@ tuple that the material makes once. `dt` serves laws that depend on the rate. Th
 `history[at + k * stride]`, kept between steps; HISTORY says how many a law needs
 for each state of stress that it can do. No branch depends on the point's
 state if it can be avoided: the law is inlined in a loop over elements, which then vectorises.
+
+A law for uniaxial stress (bars) takes the increment of the axial strain and returns the axial stress:
+
+    law(constants, dt, deps, s, history, at, stride) -> s
 """
 
 from vmharness.deck import Card, Deck, Entry, Keyword, integer, only, real, skip
@@ -36,7 +40,7 @@ KEYWORD = Keyword(
     kind="material",
 )
 
-HISTORY = {"plane_stress": 0}
+HISTORY = {"plane_stress": 0, "uniaxial": 0}
 
 
 def constants(deck: Deck, entry: Entry) -> tuple[float, float]:
@@ -79,3 +83,12 @@ def plane_stress(
         szx + g * dezx,
         -nu / (1 - nu) * (dexx + deyy),
     )
+
+
+@inlined
+def uniaxial(
+    constants: tuple[float, float], dt: float, deps: float, s: float, history: Array, at: int, stride: int
+) -> float:
+    """Axial stress after the increment `deps` of the axial strain: ds = E deps; no history."""
+    e, _ = constants
+    return s + e * deps
