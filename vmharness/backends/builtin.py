@@ -113,7 +113,7 @@ def _facts(model: Model, history: History) -> dict[str, str]:
     facts = {"Nodes": str(model.ids.size), "Cycles": str(model.state.cycle)}
     if steps_taken.size:
         facts["Time step"] = f"{steps_taken.min():.6g} to {steps_taken.max():.6g}, {model.controlling()}"
-    return facts
+    return facts | model.facts
 
 
 def _view(deck: Deck, model: Model) -> View:
