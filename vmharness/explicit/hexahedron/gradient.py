@@ -31,9 +31,7 @@ def mean(x: Patterns) -> tuple[float, Means]:
     b4 = scale(8 / 3, add(cross(x3, x5), cross(x6, x2)))
     b5 = scale(8 / 3, add(cross(x1, x6), cross(x4, x3)))
     b6 = scale(8 / 3, add(cross(x2, x4), cross(x5, x1)))
-    volume = (
-        x1[0] * b1[0] + x2[0] * b2[0] + x3[0] * b3[0] + x4[0] * b4[0] + x5[0] * b5[0] + x6[0] * b6[0]
-    )
+    volume = x1[0] * b1[0] + x2[0] * b2[0] + x3[0] * b3[0] + x4[0] * b4[0] + x5[0] * b5[0] + x6[0] * b6[0]
     return volume, (b1, b2, b3, b4, b5, b6)
 
 
