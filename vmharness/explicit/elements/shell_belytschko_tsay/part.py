@@ -55,7 +55,7 @@ class BelytschkoTsay:
         control = hourglass or Hourglass()
         C = moduli(x[nodes], thickness, density, stiffness, shrf, control)
         elements = len(nodes)
-        self.nodes = nodes.astype(np.intp)
+        self.nodes: Indices = nodes.astype(np.intp)
         self.mass, self.inertia = nodal_mass(x[nodes], thickness, density, stiffness[1], shrf)
 
         self.name, self.pid = name, pid
