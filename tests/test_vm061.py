@@ -139,7 +139,7 @@ def half_step_velocity(monkeypatch):
     right = probe.node
 
     def wrong(model, nid, component):
-        s, row = model.state, model.rows[nid]
+        s, row = model.state, int(np.flatnonzero(model.ids == nid)[0])
         return (lambda: s.v[row, 2]) if component == "z-velocity" else right(model, nid, component)
 
     monkeypatch.setattr(probe, "node", wrong)
