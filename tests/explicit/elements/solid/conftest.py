@@ -83,7 +83,7 @@ def lumped(x: Array, nodes: Array, rho: float = RHO) -> Array:
 
 def stiffness(block: Hexahedra, x: Array, free: list[tuple[int, int]]) -> Array:
     """K by unit velocities over one step and back; `free` (node, axis). So small that the geometry stays."""
-    s, small = state(x), 1e-7
+    s, small = state(x), 1e-10
     K = np.zeros((len(free), len(free)))
     rows = tuple(np.transpose(free))
     for column, place in enumerate(free):
