@@ -28,7 +28,7 @@ from numpy.typing import NDArray
 from vmharness.deck import Deck
 from vmharness.explicit.beams import beam_parts, lengths
 from vmharness.explicit.compiled import specialise
-from vmharness.explicit.elements.shell_belytschko_tsay.lanes import LANES, Indices, by_block, put, vector
+from vmharness.explicit.lanes import LANES, Indices, by_block, put, vector
 from vmharness.explicit.material import law_of
 from vmharness.explicit.materials.elastic import uniaxial as law
 from vmharness.explicit.model import Model

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.explicit.elements.beam_belytschko_schwer import step
-from vmharness.explicit.elements.shell_belytschko_tsay.lanes import Indices
+from vmharness.explicit.lanes import Indices
 from vmharness.explicit.state import Array, State
 
 # What can be read off an end: the resultants there on the cross-section with the outer normal r.

@@ -19,7 +19,7 @@ from vmharness.explicit.elements.beam_belytschko_schwer.stiffness import (
     T_NEAR,
     TORSION,
 )
-from vmharness.explicit.elements.shell_belytschko_tsay.lanes import Indices
+from vmharness.explicit.lanes import Indices
 from vmharness.explicit.state import Array
 from vmharness.explicit.vector import Vector, add, cross, dot, inlined, scale, subtract
 
