@@ -26,7 +26,10 @@ REPEATS = 40  # cycles, of which the median counts
 
 ELASTIC = "*MAT_ELASTIC\n1,7.8e-6,210.0,0.3\n"
 BILINEAR = "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,7.8e-6,210.0,0.3,0.3,2.0\n\n\n\n"
-POINTS = "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,7.8e-6,210.0,0.3\n\n0.,.01,.02,.04,.08,.16,.3,.6\n.3,.35,.38,.42,.46,.49,.51,.52\n"
+POINTS = (
+    "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,7.8e-6,210.0,0.3\n\n"
+    "0.,.01,.02,.04,.08,.16,.3,.6\n.3,.35,.38,.42,.46,.49,.51,.52\n"
+)
 KINEMATIC = "*MAT_PLASTIC_KINEMATIC\n1,7.8e-6,210.0,0.3,0.3,2.0,0.5\n\n"
 RATE = "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,7.8e-6,210.0,0.3,0.3,2.0\n40.0,5.0\n\n\n"
 
@@ -86,7 +89,9 @@ def plain_c() -> float | None:
         source, library = Path(folder) / "work.c", Path(folder) / "work.so"
         source.write_text(C)
         try:
-            subprocess.run(["gcc", "-O3", "-march=native", "-shared", "-fPIC", "-o", library, source], check=True)
+            subprocess.run(
+                ["gcc", "-O3", "-march=native", "-shared", "-fPIC", "-o", library, source], check=True
+            )
         except (OSError, subprocess.CalledProcessError):
             return None
         work = ctypes.CDLL(str(library)).work
