@@ -102,6 +102,8 @@ def probe_of(model: Model, channel: Channel) -> Probe:
         return probe.contact(model, channel.contact, component)
     if channel.support is not None:
         return probe.support(model, component)
+    if channel.motion is not None:
+        return probe.motion(model, channel.motion, component)
     kind = next(kind for kind in ("shell", "solid", "beam", "discrete") if getattr(channel, kind) is not None)
     return probe.element(model, kind, getattr(channel, kind), component, channel.point)
 

@@ -62,7 +62,12 @@ class Keyword:
             raise ValueError(f"*{name}: an entry cannot have a field {', '.join(sorted(hidden))}")
         if repeat and self.rows:
             raise ValueError(f"*{name}: rows take all lines, so that groups cannot repeat")
-        if again := {field for field in fields if fields.count(field) > 1}:
+        one_of = {
+            name for card in self.cards if card.when for name in card.defaults()
+        }  # cards of which one is there
+        always = [name for card in (*self.cards, *self.rows) if not card.when for name in card.defaults()]
+        names = [*one_of, *always]
+        if again := {name for name in names if names.count(name) > 1}:
             raise ValueError(f"*{name}: two fields have the name {', '.join(sorted(again))}")
 
     def __repr__(self) -> str:

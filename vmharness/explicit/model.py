@@ -35,11 +35,14 @@ class Model:
     inverse_mass: Array = field(default_factory=lambda: np.zeros(0))  # (n,), 0 where a node has none
     inverse_inertia: Array = field(default_factory=lambda: np.zeros(0))
 
-    def find(self, entry: Entry, name: str, ids: NDArray[np.int64]) -> NDArray[np.intp]:
-        """Rows (m,) of the nodes `ids`, a column of `entry`; raises DeckError at the first that is no node."""
+    def find(self, entry: Entry, name: str, ids: NDArray[np.int64], ground: bool = False) -> NDArray[np.intp]:
+        """Rows (m,) of the nodes `ids`, a column of `entry`; raises DeckError at the first that is no node.
+
+        With `ground`, the number 0 is no node but the ground: row -1.
+        """
         place = np.minimum(np.searchsorted(self.ids, ids, sorter=self.order), self.ids.size - 1)
-        rows = self.order[place]
-        for index in np.flatnonzero(self.ids[rows] != ids):
+        rows = np.where(ground & (ids == 0), -1, self.order[place])
+        for index in np.flatnonzero((self.ids[rows] != ids) & (rows >= 0)):
             raise entry.error(name, f"no *NODE {ids[index]}", int(index))
         return rows
 

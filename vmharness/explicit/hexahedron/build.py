@@ -36,6 +36,7 @@ def add_part(
             constants=law.constants(deck, material),
             viscous=bulk_viscosity(deck, part.part),
             history=law.HISTORY["solid"],
+            channels=getattr(law, "CHANNELS", {}),
             eid=part.eid,
             pid=part.pid,
             **formulation,

@@ -1,6 +1,6 @@
 """The solids of one part, as a force."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -17,7 +17,7 @@ class Hexahedra:
 
     `step`: the compiled step of the formulation, for a law; `nodes (ne, 8)`: rows of the state's arrays; `mass (ne,)`;
     `modulus`: rho c^2 = E (1 - nu) / ((1 + nu) (1 - 2 nu)); `constants` of the law with `history` variables per point,
-    see materials/elastic.py; `points` in an element; `viscous`: Q1 and Q2 of bulk viscosity; `resistance (ne,)`: moduli
+    see materials/elastic.py, `channels`: names of some of these; `points` in an element; `viscous`: Q1 and Q2 of bulk viscosity; `resistance (ne,)`: moduli
     of hourglass control and `hourglass`, whether viscous and whether projected; `longest`: a step never to exceed.
     Consistent units.
     """
@@ -38,6 +38,7 @@ class Hexahedra:
         hourglass: tuple[bool, bool] = (True, True),
         longest: float = np.inf,
         history: int = 0,
+        channels: Mapping[str, int] | None = None,
         eid: NDArray[np.int64] | None = None,
         pid: int | None = None,
     ) -> None:
@@ -55,6 +56,7 @@ class Hexahedra:
         self._fixed = by_block(np.column_stack([mass, np.broadcast_to(resistance, elements)]))
         self._stress = by_block(np.zeros((elements, points, 6)))
         self._history = by_block(np.zeros((elements, points, history)))
+        self._channels = dict(channels or {})
         self._work = np.zeros(ROWS * LANES)
         self._energy = np.zeros(2)
         self.energy = {"internal": self._energy[:1], "hourglass": self._energy[1:]}
@@ -96,12 +98,17 @@ class Hexahedra:
         return by_element(self._history, self.elements)
 
     def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
-        """`xx-stress` in space, `pressure`, `von-mises` of an element (its place in `eid`) at a point."""
-        if component not in CHANNELS:
-            raise ValueError(f"no {component!r} of a solid; there are: {', '.join(CHANNELS)}")
+        """`xx-stress` in space, `pressure`, `von-mises`, a channel of the law: of an element (its place in `eid`)."""
+        known = (*CHANNELS, *self._channels)
+        if component not in known:
+            raise ValueError(f"no {component!r} of a solid; there are: {', '.join(known)}")
         if not 1 <= point <= self.points:
             raise ValueError(f"no point {point}; the solid has {self.points}")
-        block, lane, value = element // LANES, element % LANES, CHANNELS[component]
+        block, lane = element // LANES, element % LANES
+        if component in self._channels:
+            history, place = self._history[block, point - 1], self._channels[component] * LANES + lane
+            return lambda: float(history[place])
+        value = CHANNELS[component]
         stress = self._stress[block, point - 1, lane::LANES]
         frame = self._kept[block, lane::LANES][TURN : TURN + 4]
         return lambda: value(stress_in_space(stress, frame))

@@ -16,6 +16,10 @@ for each state of stress that it can do. Every law for solids has the signature 
 
 No branch depends on the point's
 state if it can be avoided: the law is inlined in a loop over elements, which then vectorises.
+
+A law for uniaxial stress (bars) takes the increment of the axial strain and returns the axial stress:
+
+    law(constants, dt, deps, s, history, at, stride) -> s
 """
 
 from vmharness.deck import Card, Deck, Entry, Keyword, integer, only, real, skip
@@ -41,7 +45,7 @@ KEYWORD = Keyword(
     kind="material",
 )
 
-HISTORY = {"plane_stress": 0, "solid": 0}
+HISTORY = {"plane_stress": 0, "solid": 0, "uniaxial": 0}
 
 
 def constants(deck: Deck, entry: Entry) -> tuple[float, float]:
@@ -84,6 +88,15 @@ def plane_stress(
         szx + g * dezx,
         -nu / (1 - nu) * (dexx + deyy),
     )
+
+
+@inlined
+def uniaxial(
+    constants: tuple[float, float], dt: float, deps: float, s: float, history: Array, at: int, stride: int
+) -> float:
+    """Axial stress after the increment `deps` of the axial strain: ds = E deps; no history."""
+    e, _ = constants
+    return s + e * deps
 
 
 @inlined

@@ -2,6 +2,7 @@
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.control_hourglass import CONTROL_HOURGLASS
+from vmharness.deck.keywords.control_shell import CONTROL_SHELL
 from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
 from vmharness.deck.keywords.hourglass import HOURGLASS
 from vmharness.explicit.elements.shell_belytschko_tsay.hourglass import Hourglass
@@ -32,6 +33,7 @@ def build(deck: Deck, model: Model) -> None:
 
 def _force(deck: Deck, model: Model, part: Part, t: Array) -> BelytschkoTsay:
     material, section, timestep = part.material, part.section, deck.first(CONTROL_TIMESTEP)
+    control = deck.first(CONTROL_SHELL)
     law = law_of(material, "plane_stress", part.part)
     try:
         return BelytschkoTsay(
@@ -47,7 +49,9 @@ def _force(deck: Deck, model: Model, part: Part, t: Array) -> BelytschkoTsay:
             shrf=section.shrf,
             hourglass=_hourglass(deck, part.part),
             isdo=timestep.isdo if timestep else 0,
+            thinning=bool(control and control.istupd),
             history=law.HISTORY["plane_stress"],
+            channels=getattr(law, "CHANNELS", {}),
             eid=part.eid,
             pid=part.pid,
         )

@@ -1,6 +1,6 @@
 """The shells of one part, as a force."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
@@ -22,9 +22,10 @@ class BelytschkoTsay:
     """Shells of one part: a force with the energies "internal" and "hourglass".
 
     `nodes (ne, 4)`: rows of the state's arrays; `x (n, 3)`: initial coordinates; `thickness (ne,)`; `law` and its
-    `constants`, with `history` variables per point: see materials/elastic.py; `stiffness`: E and nu for hourglass
-    control and the stable step; `nip`: Gauss points through the thickness, 1 to 10; `shrf`: shear factor kappa.
-    Consistent units. Raises ValueError for a shape or an option that the element does not know.
+    `constants`, with `history` variables per point: see materials/elastic.py; `channels`: names of some of these;
+    `stiffness`: E and nu for hourglass control and the stable step; `nip`: Gauss points through the thickness, 1 to
+    10; `shrf`: shear factor kappa; `thinning`: the thickness follows the strain through it. Consistent units.
+    Raises ValueError for a shape or an option that the element does not know.
     """
 
     kind = "shell"
@@ -43,7 +44,9 @@ class BelytschkoTsay:
         shrf: float = 1.0,
         hourglass: Hourglass | None = None,
         isdo: int = 0,
+        thinning: bool = False,
         history: int = 0,
+        channels: Mapping[str, int] | None = None,
         eid: NDArray[np.int64] | None = None,
         pid: int | None = None,
     ) -> None:
@@ -55,8 +58,9 @@ class BelytschkoTsay:
         self.name, self.pid = name, pid
         self.eid = np.arange(1, elements + 1) if eid is None else eid
         self.elements, self.nip = elements, nip
+        self._channels = dict(channels or {})
         self._shrf, self._constants = float(shrf), constants
-        self._viscous = control.viscous
+        self._viscous, self._thinning = control.viscous, thinning
         self._wave_speed = wave_speed(stiffness, density, isdo)
         self._length = np.inf
         self._points = np.stack(np.polynomial.legendre.leggauss(nip), axis=1)
@@ -82,6 +86,7 @@ class BelytschkoTsay:
             self._section,
             self._points,
             self._shrf,
+            self._thinning,
             self._constants,
             self._stress,
             self._history,
@@ -108,18 +113,19 @@ class BelytschkoTsay:
 
     def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
         """`xx-stress`, ... of an element (its place in `eid`) in its own frame, at a point counted from the lowest."""
-        axes, _, quantity = component.partition("-")
-        if quantity != "stress" or axes not in STRESSES:
-            raise ValueError(
-                f"no {component!r} of a shell; there are: {', '.join(f'{a}-stress' for a in STRESSES)}"
-            )
+        stresses = {f"{axes}-stress": (self._stress, row) for row, axes in enumerate(STRESSES)}
+        known = stresses | {name: (self._history, row) for name, row in self._channels.items()}
+        known["thickness"] = (
+            np.broadcast_to(self._section[:, None], (len(self._section), self.nip, 4 * LANES)),
+            0,
+        )
+        if component not in known:
+            raise ValueError(f"no {component!r} of a shell; there are: {', '.join(known)}")
         if not 1 <= point <= self.nip:
             raise ValueError(f"no point {point}; the shell has {self.nip}")
-        stresses, place = (
-            self._stress[element // LANES, point - 1],
-            STRESSES.index(axes) * LANES + element % LANES,
-        )
-        return lambda: stresses[place]
+        table, row = known[component]
+        values, place = table[element // LANES, point - 1], row * LANES + element % LANES
+        return lambda: values[place]
 
     @property
     def hourglass(self) -> Array:
