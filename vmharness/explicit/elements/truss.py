@@ -18,7 +18,7 @@ stress stays small against E.
 Source: J. O. Hallquist, LS-DYNA Theory Manual, truss element; there, the step is L / c.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
@@ -60,6 +60,7 @@ def build(deck: Deck, model: Model) -> None:
                 law=module.uniaxial,
                 constants=module.constants(deck, material),
                 history=module.HISTORY["uniaxial"],
+                channels=getattr(module, "CHANNELS", {}),
                 eid=part.eid,
                 pid=part.pid,
             )
@@ -70,7 +71,8 @@ class Truss:
     """Trusses of one part: a force with the energy "internal".
 
     `nodes (ne, 2)`: rows of the state's arrays; `length (ne,)`: initial lengths; `area`: of the cross-section; `law`
-    and its `constants`, with `history` variables per bar: see materials/elastic.py. Consistent units.
+    and its `constants`, with `history` variables per bar: see materials/elastic.py; `channels`: names of some of these.
+    Consistent units.
     """
 
     kind = "beam"
@@ -85,6 +87,7 @@ class Truss:
         law: Callable[..., Any],
         constants: tuple[Any, ...],
         history: int = 0,
+        channels: Mapping[str, int] | None = None,
         eid: NDArray[np.int64] | None = None,
         pid: int | None = None,
     ) -> None:
@@ -92,6 +95,7 @@ class Truss:
         self.elements = len(nodes)
         self.eid = np.arange(1, self.elements + 1) if eid is None else eid
         self._area, self._wave_speed, self._constants = area, wave_speed, constants
+        self._channels = dict(channels or {})
         self._nodes = by_block(nodes.astype(np.intp))
         self._length = by_block(length[:, None])
         self._stress = by_block(np.zeros((self.elements, 1)))
@@ -124,14 +128,16 @@ class Truss:
         return float(self._shortest**0.5 / self._wave_speed)
 
     def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
-        """`axial-stress` and `axial-force` of an element (its place in `eid`), tension positive."""
-        factors = {"axial-stress": 1.0, "axial-force": self._area}
-        if component not in factors:
-            raise ValueError(f"no {component!r} of a truss; there are: {', '.join(factors)}")
+        """`axial-stress`, `axial-force` (tension positive) or a channel of the law, of an element (its place in `eid`)."""
+        known = {"axial-stress": (1.0, self._stress, 0), "axial-force": (self._area, self._stress, 0)}
+        known |= {name: (1.0, self._history, row) for name, row in self._channels.items()}
+        if component not in known:
+            raise ValueError(f"no {component!r} of a truss; there are: {', '.join(known)}")
         if point != 1:
             raise ValueError(f"no point {point}; a truss has 1")
-        block, lane, factor = self._stress[element // LANES], element % LANES, factors[component]
-        return lambda: factor * block[lane]
+        factor, table, row = known[component]
+        block, place = table[element // LANES], row * LANES + element % LANES
+        return lambda: factor * block[place]
 
 
 @cache

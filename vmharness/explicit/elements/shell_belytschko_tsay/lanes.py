@@ -11,8 +11,8 @@ F, MOMENT = V, OMEGA  # forces take the place of velocities, which are then used
 MEMBRANE, CURVATURE, SHEAR = 36, 39, 42
 N, M, S = 45, 48, 51
 Q, R = 54, 57
-AREA, WORK, HOURGLASS_WORK, LENGTH = 60, 61, 62, 63
-ROWS = 64
+AREA, WORK, HOURGLASS_WORK, LENGTH, THINNING = 60, 61, 62, 63, 64
+ROWS = 65
 
 
 @inlined
