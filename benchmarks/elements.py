@@ -1,6 +1,6 @@
 """Million element-cycles a second, one core, whole cycle with energies: `python benchmarks/elements.py [WORD ...]`.
 
-Each line is a mesh of one element and one law on a vibrating sheet or bar, beside a plain C loop of known work, so that
+Each line is a mesh of one element and one law in random motion, beside a plain C loop of known work, so that
 the ratio holds on another machine. With words, only lines that contain one of them.
 """
 
@@ -49,12 +49,47 @@ def sheet(material: str) -> str:
     ])  # fmt: skip
 
 
+def block(material: str) -> str:
+    """34 x 34 x 34 one-point hexahedra."""
+    n = np.arange(1, 35**3 + 1).reshape(35, 35, 35)
+    x = np.indices(n.shape).reshape(3, -1).T
+    v = np.random.default_rng(1).normal(size=(n.size, 3)) * 20.0
+    low, high = slice(None, -1), slice(1, None)
+    square = ((low, low), (high, low), (high, high), (low, high))
+    corners = np.stack([n[i, j, k] for k in (low, high) for i, j in square], axis=-1).reshape(-1, 8)
+    return "\n".join([
+        "*SECTION_SOLID\n1,1",
+        "*NODE", *(f"{i},{a}.0,{b}.0,{c}.0" for i, (a, b, c) in enumerate(x.tolist(), 1)),
+        "*ELEMENT_SOLID", *(f"{i},1\n" + ",".join(map(str, row)) for i, row in enumerate(corners.tolist(), 1)),
+        "*INITIAL_VELOCITY_NODE", *(f"{i},{a:.3f},{b:.3f},{c:.3f}" for i, (a, b, c) in enumerate(v.tolist(), 1)),
+        material,
+    ])  # fmt: skip
+
+
+def chain(material: str) -> str:
+    """40 000 trusses in a row."""
+    count = SIDE**2
+    v = np.random.default_rng(1).normal(size=count + 1) * 20.0
+    return "\n".join([
+        "*SECTION_BEAM\n1,3\n1.0",
+        "*NODE", *(f"{i},{i}.0,0.0,0.0" for i in range(1, count + 2)),
+        "*ELEMENT_BEAM", *(f"{i},1,{i},{i + 1}" for i in range(1, count + 1)),
+        "*INITIAL_VELOCITY_NODE", *(f"{i},{a:.3f}" for i, a in enumerate(v.tolist(), 1)),
+        material,
+    ])  # fmt: skip
+
+
 LINES: dict[str, Callable[[], str]] = {
     "shell BT, 3 points, elastic": lambda: sheet(ELASTIC),
     "shell BT, 3 points, plastic bilinear (024)": lambda: sheet(BILINEAR),
     "shell BT, 3 points, plastic 8 points (024)": lambda: sheet(POINTS),
     "shell BT, 3 points, plastic mixed (003)": lambda: sheet(KINEMATIC),
     "shell BT, 3 points, plastic with rate (024)": lambda: sheet(RATE),
+    "solid one-point, elastic": lambda: block(ELASTIC),
+    "solid one-point, plastic bilinear (024)": lambda: block(BILINEAR),
+    "solid one-point, plastic mixed (003)": lambda: block(KINEMATIC),
+    "truss, elastic": lambda: chain(ELASTIC),
+    "truss, plastic bilinear (024)": lambda: chain(BILINEAR),
 }
 
 

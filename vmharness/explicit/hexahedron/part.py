@@ -17,9 +17,9 @@ class Hexahedra:
 
     `step`: the compiled step of the formulation, for a law; `nodes (ne, 8)`: rows of the state's arrays; `mass (ne,)`;
     `modulus`: rho c^2 = E (1 - nu) / ((1 + nu) (1 - 2 nu)); `constants` of the law with `history` variables per point,
-    see materials/elastic.py, `channels`: names of some of these; `points` in an element; `viscous`: Q1 and Q2 of bulk viscosity; `resistance (ne,)`: moduli
-    of hourglass control and `hourglass`, whether viscous and whether projected; `longest`: a step never to exceed.
-    Consistent units.
+    see materials/elastic.py, `channels`: names of some of these; `points` in an element;
+    `viscous`: Q1 and Q2 of bulk viscosity; `resistance (ne,)`: moduli of hourglass control and `hourglass`, whether
+    viscous and whether projected; `longest`: a step never to exceed. Consistent units.
     """
 
     kind = "solid"
