@@ -6,6 +6,7 @@ import numpy as np
 
 from vmharness.explicit import energy
 from vmharness.explicit.constraint import Constraint
+from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.constraints.spc import Supports
 from vmharness.explicit.contacts.nodes_to_surface import NodesToSurface
 from vmharness.explicit.force import Elements, Force
@@ -49,13 +50,26 @@ def contact(model: Model, number: int, component: str) -> Probe:
 
 
 def support(model: Model, component: str) -> Probe:
-    """A component of the sum of all reactions of supports: `z-force`."""
+    """A component of the sum of all reactions of supports: `z-force`, `x-moment`."""
     supports = [item for item in model.constraints if isinstance(item, Supports)]
     if not supports:
         raise ProbeError("no support in the deck")
+    # One constraint holds all supports of a deck.
+    return _resultant(supports[0].total, component, "of a support")
+
+
+def motion(model: Model, number: int, component: str) -> Probe:
+    """A component of what a prescribed motion exerts on all its nodes: `z-force`, `x-moment`."""
+    motions = [item for item in model.constraints if isinstance(item, PrescribedMotion)]
+    if not 1 <= number <= len(motions):
+        raise ProbeError(f"no prescribed motion {number}; the deck has {len(motions)}")
+    return _resultant(motions[number - 1].total, component, "of a prescribed motion")
+
+
+def _resultant(total: Array, component: str, of: str) -> Probe:
+    """Of force and moment (6,)."""
     axis, quantity = _split(component)
-    total = supports[0].total  # one constraint holds all supports of a deck
-    return _choose({"force": lambda: total[axis]}, quantity, "of a support")
+    return _choose({"force": lambda: total[axis], "moment": lambda: total[3 + axis]}, quantity, of)
 
 
 def element(model: Model, kind: str, eid: int, component: str, point: int = 1) -> Probe:
