@@ -78,12 +78,13 @@ def test_lone_damper_decays_as_its_difference_equation(model):
 @pytest.mark.parametrize("zeta", [0.0, 0.5, 2.0])
 def test_limit_of_spring_and_damper_is_the_true_one(model, zeta):
     """(2/omega)(sqrt(1 + zeta^2) - zeta), though they are two parts: stable at 0.99, unstable at 1.01."""
-    for tssfac, stable in ((0.99, True), (1.01, False)):
+    for tssfac in (0.99, 1.01):
         m = oscillator(model, zeta, tssfac=tssfac, end="1e6,1000")
-        if stable:
-            assert np.abs(motion(m)[1] - 1.9).max() < 1.0
+        if tssfac < 1.0:
+            _, x = motion(m)
+            assert np.abs(x - 1.9).max() < 1.0
         else:
-            with pytest.raises(SolverError, match="the run has diverged"):
+            with pytest.raises(SolverError, match="diverged"):
                 motion(m)
         assert m.state.dt == pytest.approx(tssfac * 0.1 * (math.sqrt(1.0 + zeta**2) - zeta), rel=1e-12)
 
