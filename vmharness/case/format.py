@@ -59,7 +59,9 @@ class Channel(Table, frozen=True):
     discrete: Annotated[int | None, Meta(description="Number of a spring or damper")] = None
     point: Annotated[Count, Meta(description="Integration point of the element, from 1")] = 1
     part: Annotated[int | None, Meta(description="Part whose energy it is, else the whole model's")] = None
-    contact: Annotated[int | None, Meta(description="Number of the contact in the deck's order")] = None
+    contact: Annotated[
+        int | None, Meta(description="CID of the contact, or its place among the contacts")
+    ] = None
     support: Annotated[Literal["all"] | None, Meta(description="Reactions of all supports together")] = None
     motion: Annotated[int | None, Meta(description="Number of the prescribed motion in the deck's order")] = (
         None

@@ -18,6 +18,7 @@ class Keyword:
     - `cards`: the cards of one group, in order; a last `Rows` takes all remaining lines.
     - `repeat`: groups follow each other until the block ends, one entry each.
     - `table`: the cards are one row of a table, one entry for the block, its fields are arrays.
+    - `one_line`: a card that may stand for all cards of a row, known by a first line too long for the first card.
     - `options`: suffixes that put a card before each group: "TITLE" and "ID", or a mapping of suffix to card.
     - `aliases`: other names of the same keyword.
     - `unique`: the field that names what the entry defines; `kind` is what must not have two of the same name
@@ -33,6 +34,7 @@ class Keyword:
         *cards: Card,
         repeat: bool = False,
         table: bool = False,
+        one_line: Card | None = None,
         options: tuple[str, ...] | Mapping[str, Card] = (),
         aliases: tuple[str, ...] = (),
         unique: str = "",
@@ -46,6 +48,7 @@ class Keyword:
             cards if table else tuple(card for card in cards if isinstance(card, Rows))
         )
         self.cards = tuple(card for card in cards if card not in self.rows)
+        self.one_line = one_line
         self.repeat = repeat
         self.options = dict(options) if isinstance(options, Mapping) else {o: OPTIONS[o] for o in options}
         self.aliases = aliases

@@ -12,6 +12,7 @@ from vmharness.deck.keywords.control_termination import CONTROL_TERMINATION
 from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
 from vmharness.deck.keywords.node import NODE
 from vmharness.explicit.constraint import Constraint
+from vmharness.explicit.energy import KineticEnergy
 from vmharness.explicit.force import Force
 from vmharness.explicit.state import Array, State
 
@@ -38,6 +39,9 @@ class Model:
     constraints: list[Constraint] = field(default_factory=list)
     inverse_mass: Array = field(default_factory=lambda: np.zeros(0))  # (n,), 0 where a node has none
     inverse_inertia: Array = field(default_factory=lambda: np.zeros(0))
+
+    def __post_init__(self) -> None:
+        self.kinetic = KineticEnergy(self.state)
 
     def find(self, entry: Entry, name: str, ids: NDArray[np.int64], ground: bool = False) -> NDArray[np.intp]:
         """Rows (m,) of the nodes `ids`, a column of `entry`; raises DeckError at the first that is no node.

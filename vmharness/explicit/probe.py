@@ -41,11 +41,11 @@ def node(model: Model, nid: int, component: str) -> Probe:
 
 def contact(model: Model, number: int, component: str) -> Probe:
     """A component of the resultant of a contact on its tracked nodes: `z-force`."""
-    contacts = [force for force in model.forces if isinstance(force, NodesToSurface)]
-    if not 1 <= number <= len(contacts):
-        raise ProbeError(f"no contact {number}; the deck has {len(contacts)}")
+    contacts = {force.number: force for force in model.forces if isinstance(force, NodesToSurface)}
+    if number not in contacts:
+        raise ProbeError(f"no contact {number}; there are: {', '.join(map(str, contacts)) or 'none'}")
     axis, quantity = _split(component)
-    force = contacts[number - 1].force
+    force = contacts[number].force
     return _choose({"force": lambda: force[axis]}, quantity, "of a contact")
 
 
@@ -88,7 +88,6 @@ def energies(model: Model, name: str, part: int | None = None) -> Probe:
 
     With `part`, what the elements of that part account for: internal, hourglass, ...
     """
-    s = model.state
     items: list[Force | Constraint] = [*model.forces, *model.constraints]
     if part is not None:
         items = [item for item in items if isinstance(item, Elements) and item.pid == part]
@@ -97,22 +96,28 @@ def energies(model: Model, name: str, part: int | None = None) -> Probe:
         kind: _sum(accounts) for kind in kinds if (accounts := energy.accounts(items, kind)) or part is None
     }
     if part is None:
-        work, stored = (
+        probes |= _whole(
+            model,
             probes["external work"],
-            _sum([a for kind in energy.STORED for a in energy.accounts(items, kind)]),
+            [a for kind in energy.STORED for a in energy.accounts(items, kind)],
         )
-
-        def total() -> float:
-            return energy.kinetic(s) + stored()
-
-        initial = total()
-
-        probes |= {
-            "kinetic": lambda: energy.kinetic(s),
-            "total": total,
-            "ratio": lambda: energy.ratio(total(), initial, work()),
-        }
     return _choose(probes, name, f"of part {part}" if part is not None else "among the energies")
+
+
+def _whole(model: Model, work: Probe, stored: list[Array]) -> dict[str, Probe]:
+    """Kinetic and total energy, and the energy ratio."""
+    s, kinetic, others, initial = model.state, model.kinetic, _sum(stored), 0.0
+
+    def total() -> float:
+        return kinetic() + others()
+
+    def ratio() -> float:
+        nonlocal initial
+        if s.cycle == 0:
+            initial = total()
+        return energy.ratio(total(), initial, work())
+
+    return {"kinetic": kinetic, "total": total, "ratio": ratio}
 
 
 def _sum(accounts: list[Array]) -> Probe:

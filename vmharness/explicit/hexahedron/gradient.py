@@ -11,7 +11,11 @@ The integrals over the cube are exact: they are the derivatives of the volume th
 pattern 7 does not enter.
 """
 
-from vmharness.explicit.hexahedron.pattern import Patterns
+import numpy as np
+
+from vmharness.explicit.compiled import kernel
+from vmharness.explicit.hexahedron.pattern import Patterns, patterns
+from vmharness.explicit.state import Array
 from vmharness.explicit.turn import Triad
 from vmharness.explicit.vector import Vector, add, cross, dot, inlined, scale
 
@@ -98,3 +102,32 @@ def _squared_face(a: Vector, da: Vector, b: Vector, db: Vector) -> float:
     even, odd = add(cross(a, b), cross(da, db)), add(cross(a, db), cross(da, b))
     cross_term = abs(dot(even, odd))
     return 16 * (dot(even, even) + dot(odd, odd) + 2 * cross_term)
+
+
+def measures(x: Array) -> tuple[Array, Array]:
+    """Volume V and sum |int b_k|^2 (ne,), (ne,) of elements with the corners `x (ne, 8, 3)`."""
+    volume, squares = np.empty(len(x)), np.empty(len(x))
+    _measure(np.ascontiguousarray(x), volume, squares)
+    return volume, squares
+
+
+@kernel
+def _measure(x: Array, volume: Array, squares: Array) -> None:
+    for e in range(len(x)):
+        y = x[e]
+        volume[e], b = mean(
+            patterns(
+                (
+                    (y[0, 0], y[0, 1], y[0, 2]),
+                    (y[1, 0], y[1, 1], y[1, 2]),
+                    (y[2, 0], y[2, 1], y[2, 2]),
+                    (y[3, 0], y[3, 1], y[3, 2]),
+                    (y[4, 0], y[4, 1], y[4, 2]),
+                    (y[5, 0], y[5, 1], y[5, 2]),
+                    (y[6, 0], y[6, 1], y[6, 2]),
+                    (y[7, 0], y[7, 1], y[7, 2]),
+                )
+            )
+        )
+        squares[e] = dot(b[0], b[0]) + dot(b[1], b[1]) + dot(b[2], b[2])
+        squares[e] += dot(b[3], b[3]) + dot(b[4], b[4]) + dot(b[5], b[5])

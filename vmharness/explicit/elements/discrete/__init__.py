@@ -9,7 +9,8 @@ The force f, positive in tension, pulls node 1 along the axis e and node 2 again
 
 With this m the increment dt ddot is |r_n| - |r_{n-1}|, the change of length without error however far the element
 turns. A torsional element (DRO = 1) has angular velocities for v, a rotation for d and moments for f; the axis is
-found in the same way. The elongation begins at OFFSET. Discrete elements have no mass.
+found in the same way. The elongation begins at OFFSET. Discrete elements have no mass, and a node without rotary
+inertia does not turn.
 
 Source: LS-DYNA keyword manual, the cards; the equations follow from the definitions of length and work.
 """

@@ -5,7 +5,8 @@
     ISDO 2   L_s = max(shortest side, A / longest side)         c = sqrt(E / rho)
 
 The estimate is the classical one, not a bound: a lone free square is stable only up to L_s / (c sqrt(1 + nu)), by the
-mode that stretches it in all directions; the 0.9 of TSSFAC and neighbours make up for that.
+mode that stretches it in all directions (0.877 at nu = 0.3, less than the 0.9 of TSSFAC). Neighbours and supports make
+up for that; a shell that has neither needs TSSFAC = 0.8, and the energy balance ends a run that diverges.
 """
 
 from math import sqrt
