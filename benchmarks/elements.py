@@ -49,12 +49,33 @@ def sheet(material: str) -> str:
     ])  # fmt: skip
 
 
+def block(material: str, elform: int) -> str:
+    """40 x 40 x 25 solids; a random velocity of each node."""
+    n = np.arange(1, 41 * 41 * 26 + 1).reshape(41, 41, 26)
+    x = np.indices(n.shape).reshape(3, -1).T
+    v = np.random.default_rng(1).normal(size=(n.size, 3)) * 20.0
+    low = [n[:-1, :-1], n[1:, :-1], n[1:, 1:], n[:-1, 1:]]
+    corners = [c[..., :-1] for c in low] + [c[..., 1:] for c in low]
+    rows = np.stack(corners, axis=-1).reshape(-1, 8).tolist()
+    return "\n".join([
+        f"*SECTION_SOLID\n1,{elform}",
+        "*NODE", *(f"{i},{a}.0,{b}.0,{c}.0" for i, (a, b, c) in enumerate(x.tolist(), 1)),
+        "*ELEMENT_SOLID", *(f"{i},1,{','.join(map(str, row))}" for i, row in enumerate(rows, 1)),
+        "*INITIAL_VELOCITY_NODE", *(f"{i},{a:.3f},{b:.3f},{c:.3f}" for i, (a, b, c) in enumerate(v.tolist(), 1)),
+        material,
+    ])  # fmt: skip
+
+
 LINES: dict[str, Callable[[], str]] = {
     "shell BT, 3 points, elastic": lambda: sheet(ELASTIC),
     "shell BT, 3 points, plastic bilinear (024)": lambda: sheet(BILINEAR),
     "shell BT, 3 points, plastic 8 points (024)": lambda: sheet(POINTS),
     "shell BT, 3 points, plastic mixed (003)": lambda: sheet(KINEMATIC),
     "shell BT, 3 points, plastic with rate (024)": lambda: sheet(RATE),
+    "solid, one point, elastic": lambda: block(ELASTIC, 1),
+    "solid, one point, plastic bilinear (024)": lambda: block(BILINEAR, 1),
+    "solid, one point, plastic mixed (003)": lambda: block(KINEMATIC, 1),
+    "solid, fully integrated, elastic": lambda: block(ELASTIC, 2),
 }
 
 
