@@ -30,6 +30,9 @@ POINTS = (
     "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,7.8e-6,210.0,0.3\n\n"
     "0.,.01,.02,.04,.08,.16,.3,.6\n.3,.35,.38,.42,.46,.49,.51,.52\n"
 )
+LONG = "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,7.8e-6,210.0,0.3\n,,1\n\n\n*DEFINE_CURVE\n1\n" + "\n".join(
+    f"{p:.3f},{0.3 + 0.2 * p**0.5:.6f}" for p in np.linspace(0, 1, 100)
+)
 KINEMATIC = "*MAT_PLASTIC_KINEMATIC\n1,7.8e-6,210.0,0.3,0.3,2.0,0.5\n\n"
 RATE = "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,7.8e-6,210.0,0.3,0.3,2.0\n40.0,5.0\n\n\n"
 
@@ -83,6 +86,7 @@ LINES: dict[str, Callable[[], str]] = {
     "shell BT, 3 points, elastic": lambda: sheet(ELASTIC),
     "shell BT, 3 points, plastic bilinear (024)": lambda: sheet(BILINEAR),
     "shell BT, 3 points, plastic 8 points (024)": lambda: sheet(POINTS),
+    "shell BT, 3 points, plastic 100 points (024)": lambda: sheet(LONG),
     "shell BT, 3 points, plastic mixed (003)": lambda: sheet(KINEMATIC),
     "shell BT, 3 points, plastic with rate (024)": lambda: sheet(RATE),
     "solid one-point, elastic": lambda: block(ELASTIC),
