@@ -128,7 +128,7 @@ class Truss:
         return float(self._shortest**0.5 / self._wave_speed)
 
     def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
-        """`axial-stress`, `axial-force` (tension positive) or a channel of the law, of an element (its place in `eid`)."""
+        """`axial-stress`, `axial-force` (tension positive) or a channel of the law; `element`: its place in `eid`."""
         known = {"axial-stress": (1.0, self._stress, 0), "axial-force": (self._area, self._stress, 0)}
         known |= {name: (1.0, self._history, row) for name, row in self._channels.items()}
         if component not in known:
