@@ -55,7 +55,7 @@ class BelytschkoTsay:
         control = hourglass or Hourglass()
         C = moduli(x[nodes], thickness, density, stiffness, shrf, control)
         elements = len(nodes)
-        self.nodes: Indices = nodes.astype(np.intp)
+        self.nodes = nodes
         self.mass, self.inertia = nodal_mass(x[nodes], thickness, density, stiffness[1], shrf)
 
         self.name, self.pid = name, pid
@@ -67,7 +67,7 @@ class BelytschkoTsay:
         self._wave_speed = wave_speed(stiffness, density, isdo)
         self._length = np.inf
         self._points = np.stack(np.polynomial.legendre.leggauss(nip), axis=1)
-        self._nodes = by_block(self.nodes)
+        self._nodes = by_block(nodes.astype(np.intp))
         self._section = by_block(np.column_stack([thickness, *C, np.ones(elements)]))
         self._stress = by_block(np.zeros((elements, nip, 5)))
         self._hourglass = by_block(np.zeros((elements, 5)))
