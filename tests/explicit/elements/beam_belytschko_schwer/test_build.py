@@ -84,7 +84,7 @@ def test_refused(deck, changes, message):
 
 
 def test_a_plastic_material_is_refused(deck):
-    plastic = "*MAT_PLASTIC_KINEMATIC\n2,7850.0,2.1E11,0.3,1e8\n"
+    plastic = "*MAT_PLASTIC_KINEMATIC\n2,7850.0,2.1E11,0.3,1e8\n0.0,0.0,0.0\n"
     with pytest.raises(
         DeckError, match=r"MID = 2: beams of resultants are elastic: \*MAT_ELASTIC is supported"
     ):
