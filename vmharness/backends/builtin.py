@@ -11,6 +11,7 @@ from vmharness import __version__
 from vmharness.case import Case
 from vmharness.case.format import Channel
 from vmharness.deck import Deck, DeckError, read, vocabulary, write_long
+from vmharness.deck.keywords.element_beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
 from vmharness.explicit import probe
 from vmharness.explicit.constraints.spc import Supports
 from vmharness.explicit.contacts.nodes_to_surface import NodesToSurface
@@ -120,6 +121,10 @@ def _facts(model: Model, history: History) -> dict[str, str]:
 
 def _view(deck: Deck, model: Model) -> View:
     shells = [part.nodes for part in shell_parts(deck, model)]
+    beams = [
+        np.column_stack([model.find(table, name, getattr(table, name)) for name in table.keyword.corners])
+        for table in deck.all(ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION)
+    ]
     discrete = [force.nodes for force in model.forces if isinstance(force, Discrete)]
     masses = [model.find(table, "nid", table.nid) for table in deck.all(ELEMENT_MASS)]
     fixed = np.zeros(model.ids.size, bool)
@@ -134,6 +139,7 @@ def _view(deck: Deck, model: Model) -> View:
         ids=model.ids,
         x=model.x0,
         shells=np.concatenate(shells) if shells else np.zeros((0, 4), np.intp),
+        beams=np.concatenate([*beams, np.zeros((0, 2), np.intp)]),
         discrete=_between_nodes(discrete),
         masses=np.concatenate(masses) if masses else np.zeros(0, np.intp),
         supports=np.flatnonzero(fixed),
