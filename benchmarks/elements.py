@@ -30,6 +30,9 @@ POINTS = (
     "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,7.8e-6,210.0,0.3\n\n"
     "0.,.01,.02,.04,.08,.16,.3,.6\n.3,.35,.38,.42,.46,.49,.51,.52\n"
 )
+LONG = "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,7.8e-6,210.0,0.3\n,,1\n\n\n*DEFINE_CURVE\n1\n" + "\n".join(
+    f"{p:.3f},{0.3 + 0.2 * p**0.5:.6f}" for p in np.linspace(0, 1, 100)
+)
 KINEMATIC = "*MAT_PLASTIC_KINEMATIC\n1,7.8e-6,210.0,0.3,0.3,2.0,0.5\n\n"
 RATE = "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,7.8e-6,210.0,0.3,0.3,2.0\n40.0,5.0\n\n\n"
 
@@ -49,8 +52,8 @@ def sheet(material: str) -> str:
     ])  # fmt: skip
 
 
-def block(material: str) -> str:
-    """34 x 34 x 34 one-point hexahedra."""
+def block(material: str, elform: int = 1) -> str:
+    """34 x 34 x 34 hexahedra."""
     n = np.arange(1, 35**3 + 1).reshape(35, 35, 35)
     x = np.indices(n.shape).reshape(3, -1).T
     v = np.random.default_rng(1).normal(size=(n.size, 3)) * 20.0
@@ -58,7 +61,7 @@ def block(material: str) -> str:
     square = ((low, low), (high, low), (high, high), (low, high))
     corners = np.stack([n[i, j, k] for k in (low, high) for i, j in square], axis=-1).reshape(-1, 8)
     return "\n".join([
-        "*SECTION_SOLID\n1,1",
+        f"*SECTION_SOLID\n1,{elform}",
         "*NODE", *(f"{i},{a}.0,{b}.0,{c}.0" for i, (a, b, c) in enumerate(x.tolist(), 1)),
         "*ELEMENT_SOLID", *(f"{i},1\n" + ",".join(map(str, row)) for i, row in enumerate(corners.tolist(), 1)),
         "*INITIAL_VELOCITY_NODE", *(f"{i},{a:.3f},{b:.3f},{c:.3f}" for i, (a, b, c) in enumerate(v.tolist(), 1)),
@@ -83,11 +86,13 @@ LINES: dict[str, Callable[[], str]] = {
     "shell BT, 3 points, elastic": lambda: sheet(ELASTIC),
     "shell BT, 3 points, plastic bilinear (024)": lambda: sheet(BILINEAR),
     "shell BT, 3 points, plastic 8 points (024)": lambda: sheet(POINTS),
+    "shell BT, 3 points, plastic 100 points (024)": lambda: sheet(LONG),
     "shell BT, 3 points, plastic mixed (003)": lambda: sheet(KINEMATIC),
     "shell BT, 3 points, plastic with rate (024)": lambda: sheet(RATE),
     "solid one-point, elastic": lambda: block(ELASTIC),
     "solid one-point, plastic bilinear (024)": lambda: block(BILINEAR),
     "solid one-point, plastic mixed (003)": lambda: block(KINEMATIC),
+    "solid fully integrated, elastic": lambda: block(ELASTIC, 2),
     "truss, elastic": lambda: chain(ELASTIC),
     "truss, plastic bilinear (024)": lambda: chain(BILINEAR),
 }

@@ -79,10 +79,6 @@ def test_rate_by_curve_goes_before_cowper_symonds(constants):
         (dict(eps="0.0,0.1", es="0.0,0.4"), "ES1 = 0.0: must be greater than 0"),
         (dict(second=",,9"), "LCSS = 9: no [*]DEFINE_CURVE with LCID = 9; defined: none"),
         (dict(second=",,7", _7=["0.0,0.3"]), "LCSS = 7: the curve needs at least two points"),
-        (
-            dict(second=",,7", _7=[f"{i}.0,{i + 1}.0" for i in range(101)]),
-            "LCSS = 7: the curve has 101 points; at most 100 are supported",
-        ),
     ],
 )
 def test_what_it_refuses(constants, given, message):

@@ -9,6 +9,7 @@ from vmharness.explicit.hexahedron.part import Hexahedra
 from vmharness.explicit.loop import steps
 from vmharness.explicit.materials import plastic_kinematic
 from vmharness.explicit.model import build
+from vmharness.explicit.plasticity.piecewise_linear import line
 from vmharness.explicit.probe import element, energies
 from vmharness.explicit.state import State
 
@@ -112,7 +113,7 @@ def turning(block, x, angle, dt=1.0, count=600):
     return block
 
 
-MATERIAL = dict(constants=(E, NU, 5.0, (SIGY, 2.0), None))
+MATERIAL = dict(constants=(E, NU, 5.0, line(SIGY, 2.0), None))
 
 
 def test_back_stress_turns_with_a_solid():
@@ -121,7 +122,7 @@ def test_back_stress_turns_with_a_solid():
 
     def block():
         step = hexa_one_point.compiled(plastic_kinematic.solid)
-        return Hexahedra("", step, np.arange(8)[None], np.ones(1), E, history=7, **MATERIAL)
+        return Hexahedra("", step, np.arange(8)[None], x, 1.0, E, history=7, **MATERIAL)
 
     still, turned = turning(block(), x, 0.0), turning(block(), x, 2 * np.pi / 3)
     assert np.abs(still.history[0, 0, 1:]).max() > 0.05

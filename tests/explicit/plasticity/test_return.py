@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from vmharness.explicit.plasticity.piecewise_linear import curve
+from vmharness.explicit.plasticity.piecewise_linear import curve, line
 
 HARDENING = {"none": (0.0, 0.0), "isotropic": (5.0, 0.0), "kinematic": (0.0, 5.0), "mixed": (3.0, 2.0)}
 LEGS = (
@@ -14,7 +14,7 @@ PLANE = [0, 1, 3, 4, 5]
 
 
 def constants(laws, H, C, rate=None):
-    return laws.E, laws.NU, C or None, (laws.SIGY, H), rate
+    return laws.E, laws.NU, C or None, line(laws.SIGY, H), rate
 
 
 def path(legs, steps):
@@ -159,16 +159,17 @@ def test_curve_in_uniaxial_stress(laws, steps):
         assert history[0] == pytest.approx(strain - exact / laws.E, rel=1e-12)
 
 
-def test_many_points_are_like_few(laws):
-    """A line in 60 points is the line in two; the curve of sqrt(p) is met in each law."""
-    p = np.linspace(0, 0.2, 60)
-    line = curve(p, 0.3 + 2 * p)
+@pytest.mark.parametrize("points", [2, 3, 8, 9, 60])
+def test_any_number_of_points(laws, points):
+    """A line through many points is the line; a curve is met at the end of each step, in each law."""
+    p = np.linspace(0, 0.2, points)
+    straight = curve(p, 0.3 + 2 * p)
     for law, legs in (
         ("solid", LEGS * HALVES),
         ("plane", (LEGS * HALVES)[:, PLANE]),
         ("uniaxial", LEGS[:, 0]),
     ):
-        one = laws.run(law, (laws.E, laws.NU, None, line, None), legs)[0]
+        one = laws.run(law, (laws.E, laws.NU, None, straight, None), legs)[0]
         two = laws.run(law, constants(laws, 2.0, 0.0), legs)[0]
         assert one == pytest.approx(two, rel=1e-12, abs=1e-14)
     steep = curve(p, 0.3 + np.sqrt(p))
@@ -209,7 +210,7 @@ def test_uniaxial_cycle(laws, beta):
     """To the strain 0.02 and back: reverse yield at s_max - 2 Y(p), which is -s_max or s_max - 2 SIGY; slope Et on it."""
     Et = 2.0
     Ep = laws.E * Et / (laws.E - Et)
-    c = (laws.E, laws.NU, (1 - beta) * Ep, (laws.SIGY, beta * Ep), None)
+    c = (laws.E, laws.NU, (1 - beta) * Ep, line(laws.SIGY, beta * Ep), None)
     strain = np.concatenate([np.linspace(0, 0.02, 2001), np.linspace(0.02, -0.02, 4001)[1:]])
     stress, _ = laws.run("uniaxial", c, np.diff(strain))
     peak = laws.SIGY + Et * (0.02 - laws.SIGY / laws.E)

@@ -15,7 +15,7 @@ import numpy as np
 from vmharness.deck import Card, Deck, Entry, Keyword, integer, only, real, skip
 from vmharness.deck.keywords.define_curve import DEFINE_CURVE, points
 from vmharness.explicit.materials.elastic import constants as elastic_constants
-from vmharness.explicit.plasticity.piecewise_linear import Curve, curve
+from vmharness.explicit.plasticity.piecewise_linear import Curve, curve, line
 from vmharness.explicit.plasticity.plane_stress import plane_stress
 from vmharness.explicit.plasticity.rate import Rate, cowper_symonds
 from vmharness.explicit.plasticity.solid import solid
@@ -78,7 +78,7 @@ def _bilinear(entry: Entry, E: float) -> Curve:
         raise entry.error("sigy", "a yield stress is required where there is neither LCSS nor EPS and ES")
     if entry.etan >= E:
         raise entry.error("etan", f"must be less than E = {E:g}")
-    return entry.sigy, E * entry.etan / (E - entry.etan)
+    return line(entry.sigy, E * entry.etan / (E - entry.etan))
 
 
 def _pairs(entry: Entry) -> Curve:
@@ -107,7 +107,7 @@ def _yield_curve(deck: Deck, entry: Entry) -> Curve:
         raise definition.error("o1", "a yield stress must be greater than 0", 0)
     for i in np.flatnonzero(np.diff(stress) < 0.0):
         raise definition.error("o1", "a yield stress must not fall: softening is not supported", int(i) + 1)
-    return _fitted(entry, "lcss", p, stress)
+    return curve(p, stress)
 
 
 def _rate(deck: Deck, entry: Entry) -> Rate | None:
@@ -116,7 +116,7 @@ def _rate(deck: Deck, entry: Entry) -> Rate | None:
     definition, rate, factor = _curve(deck, entry, "lcsr")
     for i in np.flatnonzero((factor <= 0.0) | (np.diff(factor, prepend=0.0) < 0.0)):
         raise definition.error("o1", "factors of the yield stress must be positive and not fall", int(i))
-    return _fitted(entry, "lcsr", rate, factor), 0.0, 0.0
+    return curve(rate, factor), 0.0, 0.0
 
 
 def _curve(deck: Deck, entry: Entry, field: str) -> tuple[Entry, Array, Array]:
@@ -126,10 +126,3 @@ def _curve(deck: Deck, entry: Entry, field: str) -> tuple[Entry, Array, Array]:
     if x.size < 2:
         raise entry.error(field, "the curve needs at least two points")
     return definition, x, y
-
-
-def _fitted(entry: Entry, field: str, x: Array, y: Array) -> Curve:
-    try:
-        return curve(x, y)
-    except ValueError as error:
-        raise entry.error(field, f"the curve has {error}") from None

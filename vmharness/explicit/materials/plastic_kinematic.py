@@ -11,7 +11,7 @@ Source: R. D. Krieg, S. W. Key, Implementation of a time dependent plasticity th
 
 from vmharness.deck import Card, Deck, Entry, Keyword, integer, only, real
 from vmharness.explicit.materials.elastic import constants as elastic_constants
-from vmharness.explicit.plasticity.piecewise_linear import Curve
+from vmharness.explicit.plasticity.piecewise_linear import Curve, line
 from vmharness.explicit.plasticity.plane_stress import plane_stress
 from vmharness.explicit.plasticity.rate import Rate, cowper_symonds
 from vmharness.explicit.plasticity.solid import solid
@@ -54,6 +54,6 @@ def constants(deck: Deck, entry: Entry) -> tuple[float, float, float, Curve, Rat
         E,
         nu,
         (1.0 - entry.beta) * E_p,
-        (entry.sigy, entry.beta * E_p),
+        line(entry.sigy, entry.beta * E_p),
         cowper_symonds(entry, "src", "srp"),
     )

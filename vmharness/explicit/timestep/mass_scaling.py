@@ -30,7 +30,7 @@ def build(deck: Deck, model: Model) -> None:
     for block in [force for force in model.forces if isinstance(force, Elements)]:
         if not isinstance(block, Scalable):
             raise control.error(
-                "dt2ms", f"mass scaling of {block.name} is not implemented; supported: shells"
+                "dt2ms", f"mass scaling of {block.name} is not implemented; supported: shells, solids"
             )
         _scale(model, block, -control.dt2ms)
 

@@ -25,7 +25,7 @@ SUPPORT: dict[str, Any] = {**NO_LINE, "marker": TRIANGLE, "markersize": 13, "mfc
 BEAM: dict[str, Any] = {"color": EDGE, "linewidth": 2.4}
 DISCRETE: dict[str, Any] = {"color": INK, "linewidth": 1.2}
 CONTACT: dict[str, Any] = {"color": "#7b3294", "linewidth": 1.2, "linestyle": (0, (4, 3))}
-MANY = 60  # nodes: more numbers, or lines of contact, would hide the model
+MANY = 30  # nodes: more numbers, or lines of contact, would hide the model
 # Rows are the directions of the drawing, to the right and up: the axes 120 degrees apart, z upright.
 ISOMETRIC = np.array([[np.sqrt(3.0) / 2.0, -np.sqrt(3.0) / 2.0, 0.0], [0.5, 0.5, 1.0]])
 

@@ -6,6 +6,7 @@ import pytest
 from vmharness.explicit.elements.shell_belytschko_tsay import BelytschkoTsay
 from vmharness.explicit.materials import plastic_kinematic
 from vmharness.explicit.materials.elastic import plane_stress
+from vmharness.explicit.plasticity.piecewise_linear import line
 from vmharness.explicit.probe import element
 
 E, NU, T = 210.0, 0.3, 0.5
@@ -67,7 +68,7 @@ def test_plastic_flow_keeps_the_volume(bench):
     strain, lateral = 0.3, 0.1
     block, _, _ = pulled(
         bench, strain, 300, lateral,
-        law=plastic_kinematic.plane_stress, constants=(E, NU, 0.0, (0.3, 0.0), None), stiffness=(E, NU), history=6,
+        law=plastic_kinematic.plane_stress, constants=(E, NU, 0.0, line(0.3, 0.0), None), stiffness=(E, NU), history=6,
         channels={"plastic-strain": 0},
     )  # fmt: skip
     stress = block.stress[0, 0]

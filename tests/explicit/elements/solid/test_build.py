@@ -182,3 +182,16 @@ def test_wave_at_the_dilatational_speed(deck, elform):
     plateau = slice(int(0.35 * n), int(0.65 * n))
     assert stress[plateau].mean() == pytest.approx(-7850.0 * C / 2, rel=0.005)
     assert v[plateau].mean() == pytest.approx(0.5, rel=0.005)
+
+
+@pytest.mark.parametrize("elform", [1, 2])
+@pytest.mark.parametrize("hourglass", ["", "*CONTROL_HOURGLASS\n2,0.2\n"])
+def test_mass_scaling(deck, elform, hourglass):
+    """DT2MS makes the element's step three times as long by nine times the mass; hourglass viscosity keeps its fraction."""
+    step = 3 * 2.0 / C
+    model = build(deck(text(elform=elform, more=f"*CONTROL_TIMESTEP\n,,,,{-step:.9g},,,1\n" + hourglass)))
+    (block,) = model.forces
+    block.add(model.state)
+    assert model.state.mass == pytest.approx(np.full(8, 9 * 7850.0 * 30 / 8), rel=1e-6)
+    limit = 3 * np.cbrt(30.0) / (8 * 0.2 * C) if hourglass and elform == 1 else np.inf
+    assert block.stable_step() == pytest.approx(min(step, limit), rel=1e-6)
