@@ -52,8 +52,8 @@ def sheet(material: str) -> str:
     ])  # fmt: skip
 
 
-def block(material: str) -> str:
-    """34 x 34 x 34 one-point hexahedra."""
+def block(material: str, elform: int = 1) -> str:
+    """34 x 34 x 34 hexahedra."""
     n = np.arange(1, 35**3 + 1).reshape(35, 35, 35)
     x = np.indices(n.shape).reshape(3, -1).T
     v = np.random.default_rng(1).normal(size=(n.size, 3)) * 20.0
@@ -61,7 +61,7 @@ def block(material: str) -> str:
     square = ((low, low), (high, low), (high, high), (low, high))
     corners = np.stack([n[i, j, k] for k in (low, high) for i, j in square], axis=-1).reshape(-1, 8)
     return "\n".join([
-        "*SECTION_SOLID\n1,1",
+        f"*SECTION_SOLID\n1,{elform}",
         "*NODE", *(f"{i},{a}.0,{b}.0,{c}.0" for i, (a, b, c) in enumerate(x.tolist(), 1)),
         "*ELEMENT_SOLID", *(f"{i},1\n" + ",".join(map(str, row)) for i, row in enumerate(corners.tolist(), 1)),
         "*INITIAL_VELOCITY_NODE", *(f"{i},{a:.3f},{b:.3f},{c:.3f}" for i, (a, b, c) in enumerate(v.tolist(), 1)),
@@ -92,6 +92,7 @@ LINES: dict[str, Callable[[], str]] = {
     "solid one-point, elastic": lambda: block(ELASTIC),
     "solid one-point, plastic bilinear (024)": lambda: block(BILINEAR),
     "solid one-point, plastic mixed (003)": lambda: block(KINEMATIC),
+    "solid fully integrated, elastic": lambda: block(ELASTIC, 2),
     "truss, elastic": lambda: chain(ELASTIC),
     "truss, plastic bilinear (024)": lambda: chain(BILINEAR),
 }

@@ -35,7 +35,7 @@ def steps(model: Model) -> Iterator[State]:
         if s.t >= model.end_time or s.cycle >= model.end_cycle:
             return
 
-        dt = model.step_factor * min([force.stable_step() for force in model.forces], default=math.inf)
+        dt = model.next_step()
         check_step(model, dt, shortest)
         shortest = shortest or model.dtmin * dt
         advance_velocity(s.v, s.omega, s.a, s.alpha, 0.5 * (s.dt + dt))

@@ -12,7 +12,6 @@ from vmharness.deck.keywords.section_solid import SECTION_SOLID
 from vmharness.explicit.hexahedron.gradient import measures
 from vmharness.explicit.model import Model
 from vmharness.explicit.parts import Part, parts
-from vmharness.explicit.state import Array
 
 Q1, Q2 = 1.5, 0.06
 SUPPORTED = {1: "one point", 2: "fully integrated"}  # by ELFORM
@@ -27,12 +26,6 @@ def solid_parts(deck: Deck, model: Model, elform: int) -> Iterator[Part]:
         if part.section.elform == elform:
             _check_shapes(part, model)
             yield part
-
-
-def mass_of(part: Part, model: Model) -> Array:
-    """Mass rho V of each element (ne,); every corner bears an eighth."""
-    volume, _ = measures(model.x0[part.nodes])
-    return np.asarray(part.material.ro * volume)
 
 
 def bulk_viscosity(deck: Deck, part: Entry) -> tuple[float, float]:
@@ -52,7 +45,7 @@ def _check_shapes(part: Part, model: Model) -> None:
     for i in np.flatnonzero((different < 8) & ~wedge).tolist():
         what = "a tetrahedron" if different[i] == 4 else "nodes repeat"
         raise _error(part, i, f"{what}; supported: eight different nodes, and wedges n1 n2 n3 n4 n5 n5 n6 n6")
-    volume, _ = measures(model.x0[n])
+    volume, _, _ = measures(model.x0[n])
     for i in np.flatnonzero(~(volume > 0.0)).tolist():
         raise _error(
             part, i, "the solid has no volume, or is inside out: nodes 1 to 4, seen from 5 to 8, turn left"

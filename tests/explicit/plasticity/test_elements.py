@@ -122,7 +122,7 @@ def test_back_stress_turns_with_a_solid():
 
     def block():
         step = hexa_one_point.compiled(plastic_kinematic.solid)
-        return Hexahedra("", step, np.arange(8)[None], np.ones(1), E, history=7, **MATERIAL)
+        return Hexahedra("", step, np.arange(8)[None], x, 1.0, E, history=7, **MATERIAL)
 
     still, turned = turning(block(), x, 0.0), turning(block(), x, 2 * np.pi / 3)
     assert np.abs(still.history[0, 0, 1:]).max() > 0.05

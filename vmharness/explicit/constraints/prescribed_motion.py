@@ -116,10 +116,14 @@ class PrescribedMotion:
     def begin(self, model: Model) -> None:
         """Free its nodes of the need for mass if it drives them throughout; set their velocity, which overrules."""
         self.fixed = np.zeros((model.ids.size, 6), bool)
-        self.fixed[self.nodes, self.dof] = self.birth == 0.0 and self.death > model.end_time
+        self.fixed[self.nodes, self.dof] = self.throughout(model.end_time)
         if self.birth == 0.0 and self.vad != ACCELERATION:
             v = self.curve(0.0) if self.vad == VELOCITY else self.curve.slope()
             self._arrays(model.state)[0][self.nodes, self.axis] = self.sf * v
+
+    def throughout(self, end_time: float) -> bool:
+        """Whether it lasts from the beginning to the end of the run."""
+        return self.birth == 0.0 and self.death > end_time
 
     def accelerate(self, state: State) -> None:
         """a_n, the reaction, and the work of the step that led to t_n."""

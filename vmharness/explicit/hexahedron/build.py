@@ -8,7 +8,7 @@ from vmharness.explicit.hexahedron.part import Hexahedra
 from vmharness.explicit.material import law_of
 from vmharness.explicit.model import Model
 from vmharness.explicit.parts import Part
-from vmharness.explicit.solids import bulk_viscosity, mass_of
+from vmharness.explicit.solids import bulk_viscosity
 
 
 def wave_modulus(e: float, nu: float) -> float:
@@ -24,23 +24,23 @@ def add_part(
     deck: Deck, model: Model, part: Part, step: Callable[[Callable[..., Any]], Any], **formulation: Any
 ) -> None:
     """Add the force of a part and its lumped mass; `step` makes the compiled step for a law."""
-    material, mass = part.material, mass_of(part, model)
+    material = part.material
     law = law_of(material, "solid", part.part)
-    model.forces.append(
-        Hexahedra(
-            name=f"solids of part {part.pid}",
-            step=step(law.solid),
-            nodes=part.nodes,
-            mass=mass,
-            modulus=wave_modulus(material.e, material.pr),
-            constants=law.constants(deck, material),
-            viscous=bulk_viscosity(deck, part.part),
-            history=law.HISTORY["solid"],
-            channels=getattr(law, "CHANNELS", {}),
-            eid=part.eid,
-            pid=part.pid,
-            **formulation,
-        )
+    block = Hexahedra(
+        name=f"solids of part {part.pid}",
+        step=step(law.solid),
+        nodes=part.nodes,
+        x=model.x0,
+        density=material.ro,
+        modulus=wave_modulus(material.e, material.pr),
+        constants=law.constants(deck, material),
+        viscous=bulk_viscosity(deck, part.part),
+        history=law.HISTORY["solid"],
+        channels=getattr(law, "CHANNELS", {}),
+        eid=part.eid,
+        pid=part.pid,
+        **formulation,
     )
+    model.forces.append(block)
     for corner in part.nodes.T:
-        model.add_mass(corner, mass / 8)
+        model.add_mass(corner, block.mass)

@@ -104,30 +104,34 @@ def _squared_face(a: Vector, da: Vector, b: Vector, db: Vector) -> float:
     return 16 * (dot(even, even) + dot(odd, odd) + 2 * cross_term)
 
 
-def measures(x: Array) -> tuple[Array, Array]:
-    """Volume V and sum |int b_k|^2 (ne,), (ne,) of elements with the corners `x (ne, 8, 3)`."""
-    volume, squares = np.empty(len(x)), np.empty(len(x))
-    _measure(np.ascontiguousarray(x), volume, squares)
-    return volume, squares
+def measures(x: Array) -> tuple[Array, Array, Array]:
+    """Volume V, sum |int b_k|^2 and length V / largest side (ne,), of elements with the corners `x (ne, 8, 3)`."""
+    volume, squares, length = np.empty((3, len(x)))
+    _measure(np.ascontiguousarray(x), volume, squares, length)
+    return volume, squares, length
 
 
 @kernel
-def _measure(x: Array, volume: Array, squares: Array) -> None:
+def _measure(x: Array, volume: Array, squares: Array, length: Array) -> None:
     for e in range(len(x)):
-        y = x[e]
-        volume[e], b = mean(
-            patterns(
-                (
-                    (y[0, 0], y[0, 1], y[0, 2]),
-                    (y[1, 0], y[1, 1], y[1, 2]),
-                    (y[2, 0], y[2, 1], y[2, 2]),
-                    (y[3, 0], y[3, 1], y[3, 2]),
-                    (y[4, 0], y[4, 1], y[4, 2]),
-                    (y[5, 0], y[5, 1], y[5, 2]),
-                    (y[6, 0], y[6, 1], y[6, 2]),
-                    (y[7, 0], y[7, 1], y[7, 2]),
-                )
+        p = patterns(
+            (
+                _corner(x, e, 0),
+                _corner(x, e, 1),
+                _corner(x, e, 2),
+                _corner(x, e, 3),
+                _corner(x, e, 4),
+                _corner(x, e, 5),
+                _corner(x, e, 6),
+                _corner(x, e, 7),
             )
         )
+        volume[e], b = mean(p)
         squares[e] = dot(b[0], b[0]) + dot(b[1], b[1]) + dot(b[2], b[2])
         squares[e] += dot(b[3], b[3]) + dot(b[4], b[4]) + dot(b[5], b[5])
+        length[e] = volume[e] / largest_face(p)
+
+
+@inlined
+def _corner(x: Array, e: int, i: int) -> Vector:
+    return x[e, i, 0], x[e, i, 1], x[e, i, 2]

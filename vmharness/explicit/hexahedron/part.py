@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.explicit.hexahedron.channel import CHANNELS, stress_in_space
-from vmharness.explicit.hexahedron.rows import KEPT, ROWS, TURN
+from vmharness.explicit.hexahedron.gradient import measures
+from vmharness.explicit.hexahedron.rows import KEPT, MASS, MODULUS, ROWS, TURN
 from vmharness.explicit.lanes import LANES, Indices, by_block, by_element
 from vmharness.explicit.state import Array, State
 
@@ -15,11 +16,11 @@ from vmharness.explicit.state import Array, State
 class Hexahedra:
     """Solids of one part: a force with the energies "internal" and "hourglass".
 
-    `step`: the compiled step of the formulation, for a law; `nodes (ne, 8)`: rows of the state's arrays; `mass (ne,)`;
-    `modulus`: rho c^2 = E (1 - nu) / ((1 + nu) (1 - 2 nu)); `constants` of the law with `history` variables per point,
-    see materials/elastic.py, `channels`: names of some of these; `points` in an element;
+    `step`: the compiled step of the formulation, for a law; `nodes (ne, 8)`: rows of the state's arrays; `x (n, 3)`:
+    initial coordinates; `density`; `modulus`: rho c^2 = E (1 - nu) / ((1 + nu) (1 - 2 nu)); `constants` of the law with
+    `history` variables per point, see materials/elastic.py, `channels`: names of some of these; `points` in an element;
     `viscous`: Q1 and Q2 of bulk viscosity; `resistance (ne,)`: moduli of hourglass control and `hourglass`, whether
-    viscous and whether projected; `longest`: a step never to exceed. Consistent units.
+    viscous and whether projected. Consistent units.
     """
 
     kind = "solid"
@@ -29,31 +30,33 @@ class Hexahedra:
         name: str,
         step: Callable[..., float],
         nodes: Indices,
-        mass: Array,
+        x: Array,
+        density: float,
         modulus: float,
         constants: tuple[Any, ...],
         points: int = 1,
         viscous: tuple[float, float] = (0.0, 0.0),
         resistance: Array | float = 0.0,
         hourglass: tuple[bool, bool] = (True, True),
-        longest: float = np.inf,
         history: int = 0,
         channels: Mapping[str, int] | None = None,
         eid: NDArray[np.int64] | None = None,
         pid: int | None = None,
     ) -> None:
-        elements = len(nodes)
+        elements, (volume, _, _) = len(nodes), measures(x[nodes])
+        self.nodes, self.mass, self.inertia = nodes, density * volume / 8, np.zeros(elements)
         self.name, self.pid = name, pid
         self.eid = np.arange(1, elements + 1) if eid is None else eid
         self.elements, self.points = elements, points
         self._step, self._modulus, self._constants = step, modulus, constants
         self._viscous, self._hourglass = viscous, hourglass
-        self._longest, self._stable = longest, np.inf
+        self._wave_speed, self._stable = (modulus / density) ** 0.5, np.inf
         kept = np.zeros((elements, KEPT))
         kept[:, TURN] = 1.0
         self._kept = by_block(kept)
         self._nodes = by_block(nodes.astype(np.intp))
-        self._fixed = by_block(np.column_stack([mass, np.broadcast_to(resistance, elements)]))
+        self._fixed = by_block(np.column_stack([8 * self.mass, np.broadcast_to(resistance, elements)]))
+        self._longest = self._overshoot()
         self._stress = by_block(np.zeros((elements, points, 6)))
         self._history = by_block(np.zeros((elements, points, history)))
         self._channels = dict(channels or {})
@@ -83,8 +86,30 @@ class Hexahedra:
         )
 
     def stable_step(self) -> float:
-        """The shortest L_e / (Q + sqrt(Q^2 + c^2)) at the geometry of the last `add`."""
+        """The shortest L_e / (Q + sqrt(Q^2 + c^2)) at the last `add`, or less where hourglass control is strong."""
         return min(self._stable, self._longest)
+
+    def steps(self, x: Array) -> Array:
+        """L_e / c (ne,) at coordinates `x` (n, 3) and the material's density, of elements that do not move."""
+        return measures(x[self.nodes])[2] / self._wave_speed
+
+    def densify(self, factor: Array) -> None:
+        """Take the densities as `factor` (ne,) times the material's, from before the first step on."""
+        fixed = by_element(self._fixed, self.elements).copy()
+        fixed[:, MASS] = 8 * self.mass * factor
+        if self._hourglass[0]:
+            fixed[:, MODULUS] *= np.sqrt(factor)
+        self._fixed[:] = by_block(fixed)
+        self._longest = self._overshoot()
+
+    def _overshoot(self) -> float:
+        """The longest step at which a viscous hourglass force does not reverse the rate: 2 m q / Q."""
+        mass, modulus = by_element(self._fixed, self.elements).T
+        return (
+            float(np.min(2 * mass[modulus > 0] / modulus[modulus > 0], initial=np.inf))
+            if self._hourglass[0]
+            else np.inf
+        )
 
     @property
     def stress(self) -> Array:

@@ -41,20 +41,20 @@ def solids(
     viscous: tuple[float, float] = (0.0, 0.0),
 ) -> Hexahedra:
     """Elastic solids; without bulk viscosity unless asked for."""
-    mass, modulus = rho * measures(x[nodes])[0], wave_modulus(e, nu)
+    modulus = wave_modulus(e, nu)
     options = {"viscous": viscous, "constants": (e, nu)}
     if elform == 2:
-        return Hexahedra("solids", hexa_full.compiled(solid), nodes, mass, modulus, points=8, **options)
+        return Hexahedra("solids", hexa_full.compiled(solid), nodes, x, rho, modulus, points=8, **options)
     control = control or Hourglass()
     return Hexahedra(
         "solids",
         hexa_one_point.compiled(solid),
         nodes,
-        mass,
+        x,
+        rho,
         modulus,
-        resistance=hexa_one_point.moduli(x[nodes], mass, modulus, control),
+        resistance=hexa_one_point.moduli(x[nodes], rho, modulus, control),
         hourglass=(control.viscous, control.projected),
-        longest=hexa_one_point.stable_step(x[nodes], mass, modulus, control),
         **options,
     )
 
@@ -75,7 +75,7 @@ def internal_forces(block: Hexahedra, s: State) -> Array:
 def lumped(x: Array, nodes: Array, rho: float = RHO) -> Array:
     """Mass (n, 1) of the nodes."""
     total = np.zeros((len(x), 1))
-    mass, _ = measures(x[nodes])
+    mass, *_ = measures(x[nodes])
     for corner in nodes.T:
         np.add.at(total, corner, rho * mass[:, None] / 8)
     return total
@@ -83,7 +83,7 @@ def lumped(x: Array, nodes: Array, rho: float = RHO) -> Array:
 
 def stiffness(block: Hexahedra, x: Array, free: list[tuple[int, int]]) -> Array:
     """K by unit velocities over one step and back; `free` (node, axis). So small that the geometry stays."""
-    s, small = state(x), 1e-7
+    s, small = state(x), 1e-10
     K = np.zeros((len(free), len(free)))
     rows = tuple(np.transpose(free))
     for column, place in enumerate(free):

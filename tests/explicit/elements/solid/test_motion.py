@@ -29,7 +29,7 @@ def test_rigid_velocity_strains_nothing(bench, elform, control, nodes):
     x, w = distorted(), np.array([0.3, -0.5, 0.7])
     block = bench.solids(x, nodes, elform, control, viscous=(1.5, 0.06))
     s = bench.state(x, dt=1.0)
-    s.v[:] = np.cross(w, x) + [1.0, 2.0, 3.0]
+    s.v[:] = np.array([1.0, 2.0, 3.0]) + np.cross(w, x)
     s.x += 0.5 * s.v  # the mid-step geometry is x
     assert np.abs(bench.internal_forces(block, s)).max() < 1e-14 * bench.E
     assert np.abs(block.stress).max() < 1e-14 * bench.E

@@ -43,7 +43,7 @@ class Discrete:
         self.name, self.pid, self.eid = name, pid, eid
         self.elongation, self.force = np.zeros(eid.size), np.zeros(eid.size)
         self.energy = {"spring and damper": np.zeros(1)}
-        self._nodes, self._direction, self._size = nodes, direction, size
+        self.nodes, self._direction, self._size = nodes, direction, size
         self._about = dro == ABOUT
         self._constants, self._demand = constants, demand
         self._history = np.zeros(law.HISTORY["spring"] * eid.size)
@@ -62,13 +62,13 @@ class Discrete:
         """Add forces or moments at t_n, and the work of the step that led there."""
         if state.cycle == 0:
             mass = state.inertia if self._about else state.mass
-            self._limit = stable_step(self._nodes, self._demand[0], self._demand[1], mass)
+            self._limit = stable_step(self.nodes, self._demand[0], self._demand[1], mass)
         self._step(
             state.x,
             state.v,
             state.omega if self._about else state.v,
             state.dt,
-            self._nodes,
+            self.nodes,
             self._direction,
             self._size,
             self._constants,

@@ -13,6 +13,6 @@ exact for linear fields in any shape, and volume too; the stress obeys the Jauma
 """
 
 from vmharness.explicit.elements.hexa_one_point.build import build, compiled
-from vmharness.explicit.elements.hexa_one_point.hourglass import Hourglass, moduli, stable_step
+from vmharness.explicit.elements.hexa_one_point.hourglass import Hourglass, moduli
 
-__all__ = ["Hourglass", "build", "compiled", "moduli", "stable_step"]
+__all__ = ["Hourglass", "build", "compiled", "moduli"]

@@ -9,11 +9,11 @@ from vmharness.deck.keywords.control_hourglass import CONTROL_HOURGLASS
 from vmharness.deck.keywords.hourglass import HOURGLASS
 from vmharness.explicit.compiled import specialise
 from vmharness.explicit.elements.hexa_one_point import step
-from vmharness.explicit.elements.hexa_one_point.hourglass import Hourglass, moduli, stable_step
+from vmharness.explicit.elements.hexa_one_point.hourglass import Hourglass, moduli
 from vmharness.explicit.hexahedron import stress
 from vmharness.explicit.hexahedron.build import add_part, wave_modulus
 from vmharness.explicit.model import Model
-from vmharness.explicit.solids import mass_of, solid_parts
+from vmharness.explicit.solids import solid_parts
 
 ELFORM = 1
 DEFAULT = 2  # hourglass type where IHQ is 0
@@ -24,15 +24,13 @@ def build(deck: Deck, model: Model) -> None:
     for part in solid_parts(deck, model, ELFORM):
         control = _hourglass(deck, part.part)
         modulus = wave_modulus(part.material.e, part.material.pr)
-        x, mass = model.x0[part.nodes], mass_of(part, model)
         add_part(
             deck,
             model,
             part,
             compiled,
-            resistance=moduli(x, mass, modulus, control),
+            resistance=moduli(model.x0[part.nodes], part.material.ro, modulus, control),
             hourglass=(control.viscous, control.projected),
-            longest=stable_step(x, mass, modulus, control),
         )
 
 

@@ -11,7 +11,7 @@ v_a, which also resists rigid rotation and straining of an element that is no pa
 
 Force on a pattern (64 h_a on nodal forces of the size h_a):
 
-    viscous     Q = 16 QM m / V^(1/3) c q                          (LS-DYNA: QM rho V^(2/3) c / 4 at the nodes)
+    viscous     Q = 16 QM rho c V^(2/3) q                          (at the nodes QM rho c V^(2/3) / 4, as LS-DYNA)
     stiffness   dQ/dt = QM rho c^2 sum |int b_k|^2 / (2 V) q       (Flanagan, Belytschko 1981)
 
 Moduli are those of the initial geometry. The stiffness form keeps Q in the frame that turns with the element; it stores
@@ -67,22 +67,15 @@ class Hourglass:
         return self.ihq != 1
 
 
-def moduli(x: Array, mass: Array, modulus: float, control: Hourglass) -> Array:
+def moduli(x: Array, density: float, modulus: float, control: Hourglass) -> Array:
     """Q/q of the viscous form or dQ/dt/q of the stiffness form (ne,).
 
-    `x (ne, 8, 3)`: corners; `mass (ne,)`; `modulus`: rho c^2. Consistent units.
+    `x (ne, 8, 3)`: corners; `modulus`: rho c^2. Consistent units.
     """
-    volume, squares = measures(x)
+    volume, squares, _ = measures(x)
     if control.viscous:
-        return np.asarray(16 * control.qm * np.sqrt(mass * modulus * volume) / np.cbrt(volume))
+        return np.asarray(16 * control.qm * (density * modulus) ** 0.5 * np.cbrt(volume) ** 2)
     return np.asarray(control.qm * modulus * squares / (2 * volume))
-
-
-def stable_step(x: Array, mass: Array, modulus: float, control: Hourglass) -> float:
-    """The longest step at which a viscous force does not overshoot, 2 m q / Q of the worst element."""
-    if not control.viscous or control.qm == 0.0:
-        return np.inf
-    return float(np.min(2 * mass / moduli(x, mass, modulus, control)))
 
 
 @kernel

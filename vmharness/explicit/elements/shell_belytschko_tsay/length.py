@@ -11,6 +11,8 @@ mode that stretches it in all directions; the 0.9 of TSSFAC and neighbours make 
 from math import sqrt
 
 from vmharness.explicit.elements.shell_belytschko_tsay.frame import Corners
+from vmharness.explicit.lanes import Indices
+from vmharness.explicit.state import Array
 from vmharness.explicit.vector import Vector, cross, dot, inlined, subtract
 
 
@@ -60,6 +62,19 @@ def by_bar(x: Corners) -> float:
     return max(shortest_side(x), area(x) / longest_side(x))
 
 
+def lengths(x: Array, nodes: Indices, out: Array) -> None:
+    """L_s of each element; `x (n, 3)`, `nodes (ne, 4)`, `out (ne,)`."""
+    for e in range(len(nodes)):
+        i, j, k, m = nodes[e]
+        out[e] = length((
+            (x[i, 0], x[i, 1], x[i, 2]),
+            (x[j, 0], x[j, 1], x[j, 2]),
+            (x[k, 0], x[k, 1], x[k, 2]),
+            (x[m, 0], x[m, 1], x[m, 2]),
+        ))  # fmt: skip
+
+
+length = by_side
 LENGTHS = (by_side, by_diagonal, by_bar)  # by ISDO
 
 

@@ -11,7 +11,8 @@ from vmharness.explicit.compiled import specialise
 from vmharness.explicit.elements.shell_belytschko_tsay import step
 from vmharness.explicit.elements.shell_belytschko_tsay.hourglass import Hourglass, moduli
 from vmharness.explicit.elements.shell_belytschko_tsay.lanes import ROWS
-from vmharness.explicit.elements.shell_belytschko_tsay.length import LENGTHS, wave_speed
+from vmharness.explicit.elements.shell_belytschko_tsay.length import LENGTHS, lengths, wave_speed
+from vmharness.explicit.elements.shell_belytschko_tsay.mass import nodal_mass
 from vmharness.explicit.lanes import LANES, Indices, by_block, by_element
 from vmharness.explicit.state import Array, State
 
@@ -54,6 +55,8 @@ class BelytschkoTsay:
         control = hourglass or Hourglass()
         C = moduli(x[nodes], thickness, density, stiffness, shrf, control)
         elements = len(nodes)
+        self.nodes = nodes
+        self.mass, self.inertia = nodal_mass(x[nodes], thickness, density, stiffness[1], shrf)
 
         self.name, self.pid = name, pid
         self.eid = np.arange(1, elements + 1) if eid is None else eid
@@ -65,7 +68,7 @@ class BelytschkoTsay:
         self._length = np.inf
         self._points = np.stack(np.polynomial.legendre.leggauss(nip), axis=1)
         self._nodes = by_block(nodes.astype(np.intp))
-        self._section = by_block(np.column_stack([thickness, *C]))
+        self._section = by_block(np.column_stack([thickness, *C, np.ones(elements)]))
         self._stress = by_block(np.zeros((elements, nip, 5)))
         self._hourglass = by_block(np.zeros((elements, 5)))
         self._history = by_block(np.zeros((elements, nip, history)))
@@ -73,6 +76,7 @@ class BelytschkoTsay:
         self._energy = np.zeros(2)
         self.energy = {"internal": self._energy[:1], "hourglass": self._energy[1:]}
         self._step = _compiled(law, isdo)
+        self._lengths = _lengths(isdo)
 
     def add(self, state: State) -> None:
         """Add forces and moments at t_n, and the work of the step that led there."""
@@ -102,6 +106,18 @@ class BelytschkoTsay:
         """The shortest L_s / c at the geometry of the last `add`."""
         return self._length / self._wave_speed
 
+    def steps(self, x: Array) -> Array:
+        """L_s / c (ne,) at coordinates `x` (n, 3) and the material's density."""
+        lengths = np.zeros(self.elements)
+        self._lengths(x, self.nodes, lengths)
+        return lengths / self._wave_speed
+
+    def densify(self, factor: Array) -> None:
+        """Take the densities as `factor` (ne,) times the material's, from before the first step on."""
+        section = by_element(self._section, self.elements).copy()
+        section[:, 4] = np.sqrt(factor)
+        self._section[:] = by_block(section)
+
     @property
     def stress(self) -> Array:
         """Stress (ne, nip, 5) in the elements' frames, from the lowest point up: xx, yy, xy, yz, zx."""
@@ -116,7 +132,7 @@ class BelytschkoTsay:
         stresses = {f"{axes}-stress": (self._stress, row) for row, axes in enumerate(STRESSES)}
         known = stresses | {name: (self._history, row) for name, row in self._channels.items()}
         known["thickness"] = (
-            np.broadcast_to(self._section[:, None], (len(self._section), self.nip, 4 * LANES)),
+            np.broadcast_to(self._section[:, None], (len(self._section), self.nip, self._section.shape[1])),
             0,
         )
         if component not in known:
@@ -139,6 +155,11 @@ def _compiled(law: Callable[..., Any], isdo: int) -> Callable[..., float]:
     stress_at_point = specialise(step.stress_at_point, law=law)
     force = specialise(step.force, length=LENGTHS[isdo])
     return specialise(step.step, stress_at_point=stress_at_point, force=force)
+
+
+@cache
+def _lengths(isdo: int) -> Callable[[Array, Indices, Array], None]:
+    return specialise(lengths, length=LENGTHS[isdo])
 
 
 def _check(nodes: Indices, x: Array, thickness: Array, nip: int, isdo: int) -> None:

@@ -1,9 +1,9 @@
 """One step of many shells: gather, rates at mid-step, stresses, forces at the end of the step, scatter.
 
-Arrays per block of LANES elements, with rows as in lanes.py: `nodes (blocks, 4 rows)`; `section (blocks, 4 rows)`,
-thickness and the three hourglass moduli; `stress (blocks, nip, 5 rows)`, xx, yy, xy, yz, zx; `history (blocks, nip,
-rows)`; `hourglass (blocks, 5 rows)`, Q x, y, z and R x, y. The last block is filled up with copies of the last
-element, which add neither force nor energy.
+Arrays per block of LANES elements, with rows as in lanes.py: `nodes (blocks, 4 rows)`; `section (blocks, 5 rows)`,
+thickness, the three hourglass moduli, root of the factor of density (1 but for mass scaling); `stress (blocks, nip, 5
+rows)`, xx, yy, xy, yz, zx; `history (blocks, nip, rows)`; `hourglass (blocks, 5 rows)`, Q x, y, z and R x, y. The last
+block is filled up with copies of the last element, which add neither force nor energy.
 """
 
 import numpy as np
@@ -132,11 +132,14 @@ def hourglass_force(work: Array, dt: float, section: Array, viscous: bool, hourg
         )
 
 
-def force(work: Array) -> None:
-    """Forces on the geometry at the end of the step, and the shortest characteristic length so far."""
+def force(work: Array, section: Array) -> None:
+    """Forces on the geometry at the end of the step, and the shortest characteristic length so far.
+
+    Mass scaling slows the waves of an element, as if it were longer.
+    """
     for e in range(LANES):
         x = corners(work, X, e)
-        work[LENGTH * LANES + e] = min(work[LENGTH * LANES + e], length(x))
+        work[LENGTH * LANES + e] = min(work[LENGTH * LANES + e], section[4 * LANES + e] * length(x))
         f, moment = nodal_forces(
             x,
             vector(work, N, e),
@@ -190,7 +193,7 @@ def step(
         if thinning:
             thin(work, section[block])
         hourglass_force(work, dt, section[block], viscous, hourglass[block])
-        force(work)
+        force(work, section[block])
         count = min(LANES, elements - block * LANES)
         scatter(f, nodes[block], count, work, F)
         scatter(moment, nodes[block], count, work, MOMENT)
