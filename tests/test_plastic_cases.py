@@ -10,7 +10,7 @@ from vmharness.compare import Verdict
 from vmharness.evidence.faults import planted
 from vmharness.run import run
 
-CASES = {name: read(Path(__file__).parents[1] / "cases" / name) for name in ("D-65",)}
+CASES = {name: read(Path(__file__).parents[1] / "cases" / name) for name in ("D-44", "D-65")}
 FAULTS = [(name, fault) for name, case in CASES.items() for fault in case.file.faults]
 
 
