@@ -41,6 +41,27 @@ def test_onset_with_two_samples_left_uses_the_line():
     assert onsets(np.arange(4.0), np.array([0.0, 0.0, 1.0, 3.0])) == [1.5]
 
 
+@pytest.mark.parametrize("start", [7, 7.25, 7.999])
+def test_onset_just_at_a_sample_is_found(start):
+    time = np.arange(15) * 1e-4
+    (t,) = onsets(time, np.where(time > start * 1e-4, 5.0 * (time - start * 1e-4), 0.0))
+    assert t == pytest.approx(start * 1e-4, abs=1e-10)
+
+
+def test_onset_without_a_kink_is_the_double_root():
+    time = np.arange(12.0)
+    (t,) = onsets(time, np.where(time > 4.3, (time - 4.3) ** 2, 0.0))
+    assert t == pytest.approx(4.3, abs=1e-3)
+
+
+def test_a_contact_too_short_for_every_second_sample_is_located_all_the_same():
+    time = np.arange(20.0)
+    force = np.where((time > 7.5) & (time < 10.6), np.sin((time - 7.5) * np.pi / 3.1), 0.0)
+    event = find(onsets, time, force, times=1, pick=1)
+    assert event.time == pytest.approx(7.5, abs=0.2)
+    assert event.uncertainty >= 0.2
+
+
 def test_onset_that_does_not_point_back_into_its_step_is_refused():
     with pytest.raises(EventError, match="begins between 1 and 2, but cannot be located"):
         onsets(np.arange(5.0), np.array([0.0, 0.0, 5.0, 4.9, 4.8]))

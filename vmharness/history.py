@@ -66,10 +66,6 @@ class History:
         slopes = np.gradient(values, time, edge_order=2 if time.size > 2 else 1)
         return np.asarray(CubicHermiteSpline(time, values, slopes)(t))
 
-    def thinned(self, step: int) -> "History":
-        """Every `step`-th sample, counted from the first."""
-        return History(self.time[::step], {name: values[::step] for name, values in self.channels.items()})
-
     def to_frame(self) -> "pd.DataFrame":
         """A pandas frame: one column a channel, indexed by time."""
         import pandas as pd

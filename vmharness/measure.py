@@ -9,6 +9,8 @@ def find_event(case: Case, name: str, history: History) -> Event | str:
     """When the declared event happened, or a sentence that says why it cannot be found."""
     event = case.file.events[name]
     try:
+        if event.at is not None:
+            return _given(case.evaluate(f"at {name}"), history)
         if event.onset_of:
             return find(onsets, history.time, history[event.onset_of], event.times, event.pick)
         if event.minimum_of:
@@ -24,6 +26,13 @@ def find_event(case: Case, name: str, history: History) -> Event | str:
         )
     except (EventError, HistoryError) as error:
         return f"{event.title}: {error}"
+
+
+def _given(t: float, history: History) -> Event:
+    """The time that the case gives, known without error."""
+    if not history.time[0] <= t <= history.time[-1]:
+        raise EventError(f"t = {t:.7g} lies outside the run, {history.time[0]:.7g} to {history.time[-1]:.7g}")
+    return Event(t, 0.0)
 
 
 def value_at(history: History, channel: str, t: float) -> float:

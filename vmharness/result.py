@@ -67,6 +67,8 @@ class View:
     ids: NDArray[np.int64]  # (n,)
     x: Array  # (n, 3)
     shells: NDArray[np.intp]  # (ne, 4)
+    beams: NDArray[np.intp]  # (ne, 2) beams and trusses
+    discrete: NDArray[np.intp]  # (ne, 2) springs and dampers between nodes
     masses: NDArray[np.intp]  # rows with an *ELEMENT_MASS
     supports: NDArray[np.intp]  # rows with a fixed degree of freedom
     gravity: Array  # (3,) acceleration that body loads give at t = 0

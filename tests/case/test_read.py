@@ -7,6 +7,9 @@ import numpy as np
 import pytest
 
 from vmharness.case import Case, CaseError, read
+from vmharness.events import Event
+from vmharness.history import History
+from vmharness.measure import find_event
 
 CASES = Path(__file__).parents[2] / "cases"
 
@@ -52,6 +55,10 @@ def edited(tmp_path):
         ('onset_of = "contact_force"', 'onset_of = "force"', r"\[events\] impact: no channel force"),
         ('minimum_of = "z"', 'minimum_of = "z", level = "h"', r"\[events\] peak: level and direction go with crossing_of"),
         ("node = 5, component", "node = 5, contact = 1, component", r"\[channels\] z: needs just one of node, shell"),
+        ('minimum_of = "z"', 'at = "h"', r"\[events\] peak: at = h: is not a time, but in in"),
+        ('minimum_of = "z"', 'at = "t_peak", maximum_of = "z"', r"\[events\] peak: needs just one of at, onset_of"),
+        ('minimum_of = "z"', 'at = "t_peek"', r"\[events\] peak: t_peek is not defined here; did you mean t_peak"),
+        ('minimum_of = "z"', 'at = "t_peak"', r"\[results\] 5: the time of peak is given: it cannot disagree"),
         ('change    = { k = "+1 %" }', 'change    = { k = "1" }', r'\[faults\] 1: k = "1": write "\+1 %"'),
         ('change    = { k = "+1 %" }', 'change    = { kk = "+1 %" }', r"\[faults\] 1: no given datum kk"),
         ('must_fail = ["t_peak", "z_peak"]', "must_fail = []", r"\[faults\] 1.*length >= 1"),
@@ -67,6 +74,19 @@ def edited(tmp_path):
 def test_a_wrong_file_is_told_where_and_what(edited, old, new, message):
     with pytest.raises(CaseError, match=r"^VM-061/(case.toml: )?.*" + message):
         edited((old, new))
+
+
+def test_a_value_at_a_given_time_is_read_there(edited):
+    case = edited(
+        ('impact = { onset_of = "contact_force"', 'impact = { at = "t_impact/2"'),
+        ('channel   = "time"', 'channel   = "z"'),
+        ('target    = "t_impact"\nunit      = "s"', 'target    = "-h"\nunit      = "in"'),
+    )
+    half = 0.5 * case.theory["t_impact"]
+    event = find_event(case, "impact", History(np.linspace(0.0, 1.0, 11), {}))
+    assert event == Event(half, 0.0)
+    late = find_event(case, "impact", History(np.linspace(0.0, 0.9 * half, 11), {}))
+    assert "lies outside the run, 0 to 0.03239" in late
 
 
 def test_a_folder_without_a_case_is_told(tmp_path):
@@ -103,7 +123,9 @@ def test_other_data_move_theory_and_deck_together():
     parameters = other.deck_parameters()
     assert parameters["SLSFAC"] == pytest.approx(2.7915e-4 * 4000.0 / 1973.92, rel=2e-5)
     assert parameters["TEND"] == pytest.approx(1.1 * other.theory["t_peak"])
-    assert set(parameters) == {"SLSFAC", "TEND"}  # nothing that does not depend on k
+    assert set(parameters) == set(case.file.deck.parameters)  # all: nothing of the file's rounding is left
+    exact = case.with_given({"m": 0.6}).deck_parameters()
+    assert exact["SLSFAC"] == case.theory["slsfac"] != 2.7915e-4
 
 
 def test_a_datum_comes_back_in_its_own_unit(edited):

@@ -112,6 +112,36 @@ def test_divergence_is_an_error_with_time_cycle_and_node(wall_and):
     assert len(times) > 10
 
 
+def free_square(wall_and, tssfac, end):
+    """A lone free square shell that is pulled at one corner."""
+    free = "*NODE\n11,5,5,0\n12,7,5,0\n13,7,7,0\n14,5,7,0\n*ELEMENT_SHELL\n2,2,11,12,13,14\n"
+    part = "*PART\nfree\n2,1,2\n*MAT_ELASTIC\n2,1e-4,3.0,0.3\n"
+    start = f"*CONTROL_TIMESTEP\n0.0,{tssfac}\n*INITIAL_VELOCITY_NODE\n13,1.0,1.0,0.0\n"
+    return wall_and(part + free + start, end=end)
+
+
+def test_a_run_that_makes_energy_from_nothing_is_an_error_before_it_overflows(wall_and):
+    # Stable only to L/(c sqrt(1 + nu)): the classical estimate with TSSFAC = 0.9 is too long for it.
+    # A blown-up shell has a long step, which leaps past the end: that is no way to finish.
+    for end in (0.3, 1.0, 100.0):
+        with pytest.raises(SolverError, match=r"cycle \d+: .*diverged.* first seen at node 1[1-4]"):
+            list(steps(free_square(wall_and, 0.9, end)))
+    *_, last = steps(free_square(wall_and, 0.8, end=100.0))
+    assert last.t >= 100.0
+
+
+def test_a_contact_too_stiff_for_the_step_is_an_error(wall_and):
+    model, _ = oscillator(wall_and, density=1e-2)
+    model.forces[1].stiffness *= 1e9
+    with pytest.raises(SolverError, match="the run has diverged: its energy is"):
+        list(steps(model))
+
+
+def test_a_step_that_leads_nowhere_is_an_error(wall_and):
+    with pytest.raises(SolverError, match="the time step has vanished"):
+        list(steps(wall_and("", density=1e-40)))
+
+
 def test_step_below_dtmin_is_an_error(wall_and):
     # A free shell squashed in its plane: its characteristic length shrinks.
     free = "*NODE\n11,5,5,0\n12,6,5,0\n13,6,6,0\n14,5,6,0\n*ELEMENT_SHELL\n2,1,11,12,13,14\n"

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError
-from vmharness.explicit import energy
+from vmharness.explicit import energy, probe
 from vmharness.explicit.contacts.nodes_to_surface import NodesToSurface
 from vmharness.explicit.loop import steps
 
@@ -129,6 +129,28 @@ def test_free_bodies_keep_momentum_and_energy(wall_and):
     assert not contact_of(model).force.any()  # and it has left again
     np.testing.assert_allclose(momentum[2], momentum0[2], rtol=1e-12)
     assert worst < 2e-3
+
+
+@pytest.mark.parametrize("z", [0.0, -1e-10, -2e-9])
+def test_a_node_behind_by_round_off_is_in_contact_from_the_start(wall_and, z):
+    segment = "*SET_SEGMENT\n7\n1,2,3,4\n"
+    model = wall_and(ball(z=z) + segment + contact(surfb="7", kind=0) + "*LOAD_BODY_Z\n1,0.01\n", end=30.0)
+    lowest = min(s.x[4, 2] for s in steps(model))
+    assert -lowest == pytest.approx(
+        2.0 * 0.5 * 0.01 / K_WALL, rel=1e-3
+    )  # twice the static deflection, m g / k
+
+
+def test_contacts_go_by_their_number(wall_and):
+    named = contact().replace("*CONTACT_NODES_TO_SURFACE\n", "*CONTACT_NODES_TO_SURFACE_ID\n77,ball\n")
+    model = wall_and(ball() + named)
+    assert contact_of(model).number == 77
+    probe.contact(model, 77, "z-force")
+    with pytest.raises(probe.ProbeError, match="no contact 1; there are: 77"):
+        probe.contact(model, 1, "z-force")
+    twice = named + named[named.index("*CONTACT") :]
+    with pytest.raises(DeckError, match=r"CID = 77: another contact has this number"):
+        wall_and(ball() + twice)
 
 
 def test_corners_of_a_segment_do_not_touch_it(wall_and):

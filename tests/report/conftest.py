@@ -51,6 +51,8 @@ def view():
         ids=np.arange(1, 6),
         x=x,
         shells=corners[None, :],
+        beams=np.zeros((0, 2), np.intp),
+        discrete=np.zeros((0, 2), np.intp),
         masses=np.array([4]),
         supports=corners,
         gravity=np.array([0.0, 0.0, -386.0]),

@@ -5,14 +5,17 @@ from array import array
 from collections.abc import Callable, Mapping
 
 import numpy as np
+from numpy.typing import NDArray
 
 from vmharness import __version__
 from vmharness.case import Case
 from vmharness.case.format import Channel
 from vmharness.deck import Deck, DeckError, read, vocabulary, write_long
+from vmharness.deck.keywords.element_beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
 from vmharness.explicit import probe
 from vmharness.explicit.constraints.spc import Supports
 from vmharness.explicit.contacts.nodes_to_surface import NodesToSurface
+from vmharness.explicit.elements.discrete.part import Discrete
 from vmharness.explicit.elements.mass import ELEMENT_MASS
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.loads.body import BodyLoad
@@ -108,6 +111,8 @@ def probe_of(model: Model, channel: Channel) -> Probe:
         return probe.contact(model, channel.contact, component)
     if channel.support is not None:
         return probe.support(model, component)
+    if channel.motion is not None:
+        return probe.motion(model, channel.motion, component)
     kind = next(kind for kind in ("shell", "solid", "beam", "discrete") if getattr(channel, kind) is not None)
     return probe.element(model, kind, getattr(channel, kind), component, channel.point)
 
@@ -117,11 +122,16 @@ def _facts(model: Model, history: History) -> dict[str, str]:
     facts = {"Nodes": str(model.ids.size), "Cycles": str(model.state.cycle)}
     if steps_taken.size:
         facts["Time step"] = f"{steps_taken.min():.6g} to {steps_taken.max():.6g}, {model.controlling()}"
-    return facts
+    return facts | model.facts
 
 
 def _view(deck: Deck, model: Model) -> View:
     shells = [part.nodes for part in shell_parts(deck, model)]
+    beams = [
+        np.column_stack([model.find(table, name, getattr(table, name)) for name in table.keyword.corners])
+        for table in deck.all(ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION)
+    ]
+    discrete = [force.nodes for force in model.forces if isinstance(force, Discrete)]
     masses = [model.find(table, "nid", table.nid) for table in deck.all(ELEMENT_MASS)]
     fixed = np.zeros(model.ids.size, bool)
     for constraint in model.constraints:
@@ -135,6 +145,8 @@ def _view(deck: Deck, model: Model) -> View:
         ids=model.ids,
         x=model.x0,
         shells=np.concatenate(shells) if shells else np.zeros((0, 4), np.intp),
+        beams=np.concatenate([*beams, np.zeros((0, 2), np.intp)]),
+        discrete=_between_nodes(discrete),
         masses=np.concatenate(masses) if masses else np.zeros(0, np.intp),
         supports=np.flatnonzero(fixed),
         gravity=gravity,
@@ -142,3 +154,9 @@ def _view(deck: Deck, model: Model) -> View:
             (force.tracked, force.segments) for force in model.forces if isinstance(force, NodesToSurface)
         ),
     )
+
+
+def _between_nodes(discrete: list[NDArray[np.intp]]) -> NDArray[np.intp]:
+    """The nodes (ne, 2) of all springs and dampers but those to the ground."""
+    nodes = np.concatenate([*discrete, np.zeros((0, 2), np.intp)])
+    return nodes[nodes[:, 1] >= 0]

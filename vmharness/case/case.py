@@ -30,7 +30,7 @@ class Case:
     dimensions: Mapping[str, Dimension]  # of data and theory
     theory: Mapping[str, float]
     changed: frozenset[str] = frozenset()  # data that are not those of the file
-    planted: Mapping[str, float] = field(default_factory=dict)  # parameters of a deck wrong on purpose
+    planted: dict[str, float] = field(default_factory=dict)  # parameters of a deck wrong on purpose
 
     @property
     def values(self) -> dict[str, float]:
@@ -87,13 +87,13 @@ class Case:
         return replace(self, given=given, theory=theory, changed=changed)
 
     def deck_parameters(self) -> dict[str, float]:
-        """The deck's parameters that follow from changed data; none while the data are those of the file."""
-        follow = {
-            name: self.evaluate(f"parameter {name}")
-            for name in self.file.deck.parameters
-            if self._origins(f"parameter {name}") & self.changed
-        }
-        return {**follow, **self.planted}
+        """The deck's parameters where the data are not those of the file, all of them; none while they are.
+
+        All, so that nothing of the file's rounding is left in a deck whose theory has other numbers.
+        """
+        if not self.changed:
+            return dict(self.planted)
+        return {name: self.evaluate(f"parameter {name}") for name in self.file.deck.parameters} | self.planted
 
     def with_deck_of(self, changes: Mapping[str, float]) -> "Case":
         """The same case, its theory untouched, with the deck that other data would have: wrong on purpose."""

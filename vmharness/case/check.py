@@ -7,7 +7,7 @@ from pathlib import Path
 from vmharness.case.change import CHANGE, HOW
 from vmharness.case.decode import FILE
 from vmharness.case.error import CaseError
-from vmharness.case.format import OWNERS, CaseFile, Event, as_line
+from vmharness.case.format import EVENTS, OWNERS, CaseFile, Event, as_line
 from vmharness.case.near import near
 from vmharness.formula import Dimension, Formula, FormulaError, Unit, UnitError, UnitSystem
 
@@ -110,12 +110,17 @@ class Checks:
             self._event(f"[events] {name}", name, event)
 
     def _event(self, place: str, name: str, event: Event) -> None:
-        kinds = [
-            kind for kind in ("onset_of", "crossing_of", "minimum_of", "maximum_of") if getattr(event, kind)
-        ]
+        kinds = [kind for kind in EVENTS if getattr(event, kind) is not None]
         if len(kinds) != 1:
-            raise self.wrong(place, "needs just one of onset_of, crossing_of, minimum_of, maximum_of")
-        self.known(place, getattr(event, kinds[0]), self.file.channels, "channel")
+            raise self.wrong(place, f"needs just one of {', '.join(EVENTS)}")
+        if event.at is not None:
+            dimension = self.formula(place, f"at {name}", event.at)
+            if dimension != Unit(self.file.units.time).dimension:
+                raise self.wrong(
+                    place, f"at = {event.at}: is not a time, but in {self.units.name(dimension)}"
+                )
+        else:
+            self.known(place, getattr(event, kinds[0]), self.file.channels, "channel")
         crossing = kinds == ["crossing_of"]
         if crossing != (event.level is not None) or crossing != (event.direction is not None):
             raise self.wrong(place, "level and direction go with crossing_of, and with nothing else")
@@ -132,6 +137,8 @@ class Checks:
             self.keys.append(result.key)
             self.known(place, result.event, self.file.events, "event")
             self.known(place, result.channel, ["time", *self.file.channels], "channel")
+            if result.channel == "time" and self.file.events[result.event].at is not None:
+                raise self.wrong(place, f"the time of {result.event} is given: it cannot disagree")
             dimension = self.formula(f"{place}: target", f"target {result.key}", result.target)
             self.unit(place, result.unit, dimension)
             if result.tolerance.relative == result.tolerance.absolute == 0.0:

@@ -59,8 +59,13 @@ class Channel(Table, frozen=True):
     discrete: Annotated[int | None, Meta(description="Number of a spring or damper")] = None
     point: Annotated[Count, Meta(description="Integration point of the element, from 1")] = 1
     part: Annotated[int | None, Meta(description="Part whose energy it is, else the whole model's")] = None
-    contact: Annotated[int | None, Meta(description="Number of the contact in the deck's order")] = None
+    contact: Annotated[
+        int | None, Meta(description="CID of the contact, or its place among the contacts")
+    ] = None
     support: Annotated[Literal["all"] | None, Meta(description="Reactions of all supports together")] = None
+    motion: Annotated[int | None, Meta(description="Number of the prescribed motion in the deck's order")] = (
+        None
+    )
     energy: Annotated[str | None, Meta(description="kinetic, contact, external work, total, ratio, ...")] = (
         None
     )
@@ -68,13 +73,14 @@ class Channel(Table, frozen=True):
 
 
 class Event(Table, frozen=True):
-    """An instant of interest, found between samples; just one of the `..._of` keys names its channel."""
+    """An instant of interest: at a time, or found between samples of the channel that a `..._of` key names."""
 
     title: Text
     onset_of: Name | None = None
     crossing_of: Name | None = None
     minimum_of: Name | None = None
     maximum_of: Name | None = None
+    at: Annotated[Formula | None, Meta(description="The time itself")] = None
     level: Annotated[Formula | None, Meta(description="Level of a crossing")] = None
     direction: Literal["up", "down"] | None = None
     times: Annotated[Count, Meta(description="How often it happens in the run; any other number fails")] = 1
@@ -176,7 +182,18 @@ class CaseFile(Table, frozen=True):
     files: Annotated[list[Text], Meta(description="Further input files to offer beside the deck")] = []
 
 
-OWNERS = ("node", "shell", "solid", "beam", "discrete", "contact", "support", "energy")  # of a channel
+EVENTS = ("at", "onset_of", "crossing_of", "minimum_of", "maximum_of")
+OWNERS = (
+    "node",
+    "shell",
+    "solid",
+    "beam",
+    "discrete",
+    "contact",
+    "support",
+    "motion",
+    "energy",
+)  # of a channel
 
 
 def as_line(line: str | Line) -> Line:

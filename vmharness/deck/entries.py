@@ -39,7 +39,7 @@ def _read_group(entry: Entry, block: Block, at: int, end: int, parameters: Mappi
     """Read the cards of one group from line `at` on; returns the line after them."""
     for number, card in enumerate(entry.keyword.group(entry.suffix), start=1):
         if (card.when and not card.when(entry)) or (card.optional and at >= end):
-            entry.values.update(card.defaults())
+            entry.values = card.defaults() | entry.values  # a field may stand on a card that is there instead
             continue
         if at >= len(block.lines):
             fields = ", ".join(card.defaults()).upper()

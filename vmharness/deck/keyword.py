@@ -18,6 +18,7 @@ class Keyword:
     - `cards`: the cards of one group, in order; a last `Rows` takes all remaining lines.
     - `repeat`: groups follow each other until the block ends, one entry each.
     - `table`: the cards are one row of a table, one entry for the block, its fields are arrays.
+    - `one_line`: a card that may stand for all cards of a row, known by a first line too long for the first card.
     - `options`: suffixes that put a card before each group: "TITLE" and "ID", or a mapping of suffix to card.
     - `aliases`: other names of the same keyword.
     - `unique`: the field that names what the entry defines; `kind` is what must not have two of the same name
@@ -33,6 +34,7 @@ class Keyword:
         *cards: Card,
         repeat: bool = False,
         table: bool = False,
+        one_line: Card | None = None,
         options: tuple[str, ...] | Mapping[str, Card] = (),
         aliases: tuple[str, ...] = (),
         unique: str = "",
@@ -46,6 +48,7 @@ class Keyword:
             cards if table else tuple(card for card in cards if isinstance(card, Rows))
         )
         self.cards = tuple(card for card in cards if card not in self.rows)
+        self.one_line = one_line
         self.repeat = repeat
         self.options = dict(options) if isinstance(options, Mapping) else {o: OPTIONS[o] for o in options}
         self.aliases = aliases
@@ -59,7 +62,12 @@ class Keyword:
             raise ValueError(f"*{name}: an entry cannot have a field {', '.join(sorted(hidden))}")
         if repeat and self.rows:
             raise ValueError(f"*{name}: rows take all lines, so that groups cannot repeat")
-        if again := {field for field in fields if fields.count(field) > 1}:
+        one_of = {
+            name for card in self.cards if card.when for name in card.defaults()
+        }  # cards of which one is there
+        always = [name for card in (*self.cards, *self.rows) if not card.when for name in card.defaults()]
+        names = [*one_of, *always]
+        if again := {name for name in names if names.count(name) > 1}:
             raise ValueError(f"*{name}: two fields have the name {', '.join(sorted(again))}")
 
     def __repr__(self) -> str:

@@ -11,6 +11,7 @@ from vmharness.deck.block import Block
 from vmharness.deck.card import Card, Rows
 from vmharness.deck.entry import Entry
 from vmharness.deck.field import Field, Value
+from vmharness.deck.keyword import Keyword
 
 PLAIN = re.compile(r"[0-9eE+\-. ]*")  # no comma, no &, no D exponent, no word
 DTYPES = {"integer": np.int64, "real": np.float64, "text": np.str_}
@@ -21,9 +22,9 @@ def read_rows(entry: Entry, block: Block, lines: range, parameters: Mapping[str,
 
     A row may take several lines, one a card. A blank line among them is refused: it would be a row of zeros.
     """
-    cards = entry.keyword.rows
     if not lines:
         raise block.error("no data")
+    cards = row_cards(entry.keyword, block.lines[lines[0]], block.long)
     if len(lines) % len(cards):
         raise block.error(
             f"a row takes {len(cards)} lines; the last one is incomplete", block.numbers[lines[-1]]
@@ -46,6 +47,21 @@ def read_rows(entry: Entry, block: Block, lines: range, parameters: Mapping[str,
             if name[0] != "_":
                 entry.values[name] = column
                 entry.lines[name] = numbers
+    if cards is not entry.keyword.rows:
+        absent = {name: default for card in entry.keyword.rows for name, default in card.defaults().items()}
+        for name in absent.keys() - entry.values.keys():
+            entry.values[name] = np.full(len(lines), absent[name])
+
+
+def row_cards(keyword: Keyword, first: str, long: bool) -> tuple[Card, ...]:
+    """The cards of one row: the keyword's own, or its `one_line` where the first line is too long for their first."""
+    if keyword.one_line is None:
+        return keyword.rows
+    try:
+        keyword.rows[0].items(first, long)
+    except ValueError:
+        return (keyword.one_line,)
+    return keyword.rows
 
 
 def careful_columns(

@@ -20,6 +20,23 @@ class Curve:
             return float(self.ordinate[0])
         return float(np.interp(t, self.abscissa, self.ordinate))
 
+    def mean(self, start: float, end: float) -> float:
+        """The mean ordinate from `start` to `end`, exact where the curve bends between them."""
+        if self.constant:
+            return float(self.ordinate[0])
+        inside = self.abscissa[(self.abscissa > start) & (self.abscissa < end)]
+        t = np.array([start, *inside, end])
+        return float(np.trapezoid(np.interp(t, self.abscissa, self.ordinate), t) / (end - start))
+
+    def rate(self, start: float, end: float) -> float:
+        """The mean slope from `start` to `end`, or to the last point: a run passes it by a part of a step."""
+        end = min(end, float(self.abscissa[-1]))
+        return (self(end) - self(start)) / (end - start)
+
+    def slope(self) -> float:
+        """The slope with which the curve begins."""
+        return 0.0 if self.constant else self.rate(float(self.abscissa[0]), float(self.abscissa[1]))
+
 
 def time_curve(deck: Deck, entry: Entry, field: str, end_time: float) -> Curve:
     """The curve that `field` of `entry` names; raises DeckError when it does not span the run.

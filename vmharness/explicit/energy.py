@@ -17,6 +17,19 @@ def kinetic(state: State) -> float:
     return _kinetic(s.v, s.a, s.mass, s.omega, s.alpha, s.inertia, 0.5 * s.dt)
 
 
+class KineticEnergy:
+    """The kinetic energy of a state, computed once a cycle however many ask."""
+
+    def __init__(self, state: State) -> None:
+        self.state, self.cycle, self.value = state, -1, 0.0
+
+    def __call__(self) -> float:
+        """1/2 sum m v_n^2 + I omega_n^2; to be asked for while the time loop shows its state."""
+        if self.cycle != self.state.cycle:
+            self.cycle, self.value = self.state.cycle, kinetic(self.state)
+        return self.value
+
+
 @kernel
 def _kinetic(
     v: Array, a: Array, mass: Array, omega: Array, alpha: Array, inertia: Array, half: float

@@ -39,3 +39,21 @@ class Elements(Force, Protocol):
 
         Raises ValueError that says what there is.
         """
+
+
+@runtime_checkable
+class Scalable(Elements, Protocol):
+    """Elements whose density can be raised, each by its own factor, before the run begins.
+
+    All nodes of an element take the same share of its mass and rotary inertia.
+    """
+
+    nodes: NDArray[np.intp]  # (ne, corners) rows of the state's arrays
+    mass: Array  # (ne,) that each node takes, at the material's density
+    inertia: Array  # (ne,)
+
+    def steps(self, x: Array) -> Array:
+        """The stable step (ne,) of each element at coordinates `x` and the material's density."""
+
+    def densify(self, factor: Array) -> None:
+        """Take the densities as `factor` (ne,) times the material's: steps are sqrt(factor) times as long."""

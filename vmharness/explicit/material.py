@@ -5,6 +5,7 @@ A module of the folder has
     KEYWORD     the *MAT_... card
     HISTORY     history variables per point, by state of stress; what is not listed the law cannot do
     constants   (deck, entry) -> tuple of what the law needs of the card, made once
+    CHANNELS    names of history variables that can be read off, by place; may be missing
 
 and a kernel for each state of stress of HISTORY: plane_stress (shells), solid, uniaxial (bars), spring.
 """

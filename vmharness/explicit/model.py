@@ -1,5 +1,6 @@
 """A deck as arrays over nodes, forces and constraints: what the time loop steps."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -11,11 +12,13 @@ from vmharness.deck.keywords.control_termination import CONTROL_TERMINATION
 from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
 from vmharness.deck.keywords.node import NODE
 from vmharness.explicit.constraint import Constraint
+from vmharness.explicit.energy import KineticEnergy
 from vmharness.explicit.force import Force
 from vmharness.explicit.state import Array, State
 
-# Folders whose modules each add to the model by `build(deck, model)`. Supports come last: they overrule velocities.
-PARTS = ("elements", "contacts", "loads", "initial", "constraints")
+# Folders whose modules each add to the model by `build(deck, model)`. Supports come late: they overrule velocities.
+# Damping comes after them: it acts on the accelerations that all others have left. Mass scaling needs all elements.
+PARTS = ("elements", "contacts", "loads", "initial", "constraints", "damping", "timestep")
 
 
 @dataclass
@@ -30,16 +33,24 @@ class Model:
     step_factor: float  # TSSFAC
     order: NDArray[np.intp]  # (n,) rows in the order of their numbers
     dtmin: float = 0.0  # the run ends with an error below this fraction of its first step
+    caps: list[Callable[[float], float]] = field(default_factory=list)  # t -> the longest step allowed
+    facts: dict[str, str] = field(default_factory=dict)  # what building it did and a reader must know
     forces: list[Force] = field(default_factory=list)
     constraints: list[Constraint] = field(default_factory=list)
     inverse_mass: Array = field(default_factory=lambda: np.zeros(0))  # (n,), 0 where a node has none
     inverse_inertia: Array = field(default_factory=lambda: np.zeros(0))
 
-    def find(self, entry: Entry, name: str, ids: NDArray[np.int64]) -> NDArray[np.intp]:
-        """Rows (m,) of the nodes `ids`, a column of `entry`; raises DeckError at the first that is no node."""
+    def __post_init__(self) -> None:
+        self.kinetic = KineticEnergy(self.state)
+
+    def find(self, entry: Entry, name: str, ids: NDArray[np.int64], ground: bool = False) -> NDArray[np.intp]:
+        """Rows (m,) of the nodes `ids`, a column of `entry`; raises DeckError at the first that is no node.
+
+        With `ground`, the number 0 is no node but the ground: row -1.
+        """
         place = np.minimum(np.searchsorted(self.ids, ids, sorter=self.order), self.ids.size - 1)
-        rows = self.order[place]
-        for index in np.flatnonzero(self.ids[rows] != ids):
+        rows = np.where(ground & (ids == 0), -1, self.order[place])
+        for index in np.flatnonzero((self.ids[rows] != ids) & (rows >= 0)):
             raise entry.error(name, f"no *NODE {ids[index]}", int(index))
         return rows
 
@@ -54,6 +65,11 @@ class Model:
         """Lump `mass` (m,) and `inertia` onto nodes; a row may come several times."""
         np.add.at(self.state.mass, rows, mass)
         np.add.at(self.state.inertia, rows, inertia)
+
+    def next_step(self) -> float:
+        """The step from t_n on: TSSFAC times the shortest that any force sets, or what caps it."""
+        stable = self.step_factor * min([force.stable_step() for force in self.forces], default=np.inf)
+        return min([stable, *[cap(self.state.t) for cap in self.caps]])
 
     def wildest(self) -> str:
         """Which node is accelerated most, or beyond all numbers."""

@@ -22,7 +22,7 @@ class Part:
     section: Entry
     material: Entry
     eid: NDArray[np.int64]  # (ne,)
-    nodes: Index  # (ne, corners) rows of the state's arrays
+    nodes: Index  # (ne, corners) rows of the state's arrays; -1 is the ground
     table: NDArray[np.intp]  # (ne,) which of `tables` has the element
     row: NDArray[np.intp]  # (ne,) its row there
     tables: Sequence[Entry]
@@ -48,7 +48,7 @@ def parts(deck: Deck, model: Model, elements: Sequence[Keyword], sections: Keywo
         return
     pid, eid = (np.concatenate([getattr(table, name) for table in tables]) for name in ("pid", "eid"))
     nodes = np.concatenate([
-        np.column_stack([model.find(table, name, getattr(table, name)) for name in table.keyword.corners])
+        np.column_stack([model.find(table, name, getattr(table, name), True) for name in table.keyword.corners])
         for table in tables
     ])  # fmt: skip
     number = np.concatenate([np.full(table.eid.size, i) for i, table in enumerate(tables)])

@@ -6,6 +6,7 @@ import numpy as np
 
 from vmharness.explicit import energy
 from vmharness.explicit.constraint import Constraint
+from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.constraints.spc import Supports
 from vmharness.explicit.contacts.nodes_to_surface import NodesToSurface
 from vmharness.explicit.force import Elements, Force
@@ -40,22 +41,35 @@ def node(model: Model, nid: int, component: str) -> Probe:
 
 def contact(model: Model, number: int, component: str) -> Probe:
     """A component of the resultant of a contact on its tracked nodes: `z-force`."""
-    contacts = [force for force in model.forces if isinstance(force, NodesToSurface)]
-    if not 1 <= number <= len(contacts):
-        raise ProbeError(f"no contact {number}; the deck has {len(contacts)}")
+    contacts = {force.number: force for force in model.forces if isinstance(force, NodesToSurface)}
+    if number not in contacts:
+        raise ProbeError(f"no contact {number}; there are: {', '.join(map(str, contacts)) or 'none'}")
     axis, quantity = _split(component)
-    force = contacts[number - 1].force
+    force = contacts[number].force
     return _choose({"force": lambda: force[axis]}, quantity, "of a contact")
 
 
 def support(model: Model, component: str) -> Probe:
-    """A component of the sum of all reactions of supports: `z-force`."""
+    """A component of the sum of all reactions of supports: `z-force`, `x-moment`."""
     supports = [item for item in model.constraints if isinstance(item, Supports)]
     if not supports:
         raise ProbeError("no support in the deck")
+    # One constraint holds all supports of a deck.
+    return _resultant(supports[0].total, component, "of a support")
+
+
+def motion(model: Model, number: int, component: str) -> Probe:
+    """A component of what a prescribed motion exerts on all its nodes: `z-force`, `x-moment`."""
+    motions = [item for item in model.constraints if isinstance(item, PrescribedMotion)]
+    if not 1 <= number <= len(motions):
+        raise ProbeError(f"no prescribed motion {number}; the deck has {len(motions)}")
+    return _resultant(motions[number - 1].total, component, "of a prescribed motion")
+
+
+def _resultant(total: Array, component: str, of: str) -> Probe:
+    """Of force and moment (6,)."""
     axis, quantity = _split(component)
-    total = supports[0].total  # one constraint holds all supports of a deck
-    return _choose({"force": lambda: total[axis]}, quantity, "of a support")
+    return _choose({"force": lambda: total[axis], "moment": lambda: total[3 + axis]}, quantity, of)
 
 
 def element(model: Model, kind: str, eid: int, component: str, point: int = 1) -> Probe:
@@ -74,7 +88,6 @@ def energies(model: Model, name: str, part: int | None = None) -> Probe:
 
     With `part`, what the elements of that part account for: internal, hourglass, ...
     """
-    s = model.state
     items: list[Force | Constraint] = [*model.forces, *model.constraints]
     if part is not None:
         items = [item for item in items if isinstance(item, Elements) and item.pid == part]
@@ -83,21 +96,28 @@ def energies(model: Model, name: str, part: int | None = None) -> Probe:
         kind: _sum(accounts) for kind in kinds if (accounts := energy.accounts(items, kind)) or part is None
     }
     if part is None:
-        work, stored = (
+        probes |= _whole(
+            model,
             probes["external work"],
-            _sum([a for kind in energy.STORED for a in energy.accounts(items, kind)]),
+            [a for kind in energy.STORED for a in energy.accounts(items, kind)],
         )
-        initial = energy.kinetic(s)
-
-        def total() -> float:
-            return energy.kinetic(s) + stored()
-
-        probes |= {
-            "kinetic": lambda: energy.kinetic(s),
-            "total": total,
-            "ratio": lambda: energy.ratio(total(), initial, work()),
-        }
     return _choose(probes, name, f"of part {part}" if part is not None else "among the energies")
+
+
+def _whole(model: Model, work: Probe, stored: list[Array]) -> dict[str, Probe]:
+    """Kinetic and total energy, and the energy ratio."""
+    s, kinetic, others, initial = model.state, model.kinetic, _sum(stored), 0.0
+
+    def total() -> float:
+        return kinetic() + others()
+
+    def ratio() -> float:
+        nonlocal initial
+        if s.cycle == 0:
+            initial = total()
+        return energy.ratio(total(), initial, work())
+
+    return {"kinetic": kinetic, "total": total, "ratio": ratio}
 
 
 def _sum(accounts: list[Array]) -> Probe:

@@ -30,11 +30,12 @@ def part_set(deck: Deck, entry: Entry, field: str) -> set[int]:
 def nodes_of_parts(deck: Deck, model: Model, pids: set[int]) -> Index:
     """Rows (m,) of all nodes that elements of these parts join, each once, in increasing order."""
     rows = [
-        model.find(table, name, getattr(table, name)[np.isin(table.pid, list(pids))])
+        model.find(table, name, getattr(table, name)[np.isin(table.pid, list(pids))], True)
         for table in deck.entries
         for name in table.keyword.corners
     ]
-    return np.unique(np.concatenate(rows)) if rows else np.zeros(0, np.intp)
+    found = np.unique(np.concatenate(rows)) if rows else np.zeros(0, np.intp)
+    return found[found >= 0]  # without the ground
 
 
 def _ranges(model: Model, found: Entry) -> Index:

@@ -1,4 +1,4 @@
-"""*CONTROL_BULK_VISCOSITY: viscosity of solids in shocks."""
+"""*CONTROL_BULK_VISCOSITY: viscosity of solids in shocks (other elements have none)."""
 
 from vmharness.deck.card import Card
 from vmharness.deck.field import only, real
@@ -14,5 +14,4 @@ CONTROL_BULK_VISCOSITY = Keyword(
         tstype=only(0),
     ),
     single=True,
-    effect="acts on solid elements, of which there are none.",
 )

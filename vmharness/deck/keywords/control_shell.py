@@ -1,4 +1,4 @@
-"""*CONTROL_SHELL: options of all shells."""
+"""*CONTROL_SHELL: options of all shells: ISTUPD, whether their thickness follows the strain through it."""
 
 from vmharness.deck.card import Card
 from vmharness.deck.field import integer, only, real
@@ -10,12 +10,11 @@ CONTROL_SHELL = Keyword(
         wrpang=real(20.0),  # angle of a warning
         esort=only(0),
         irnxx=integer(-1, choices=(-2, -1, 0)),  # fibre directions, which ELFORM 2 has none of
-        istupd=only(0),
+        istupd=integer(0, choices=(0, 1)),
         theory=only(2, zero_is_default=True),
         bwc=only(2, zero_is_default=True),
         miter=only(1, zero_is_default=True),
         proj=only(0),
     ),
     single=True,
-    effect="only what the elements do anyway is supported.",
 )

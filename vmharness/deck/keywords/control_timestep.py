@@ -7,14 +7,14 @@ from vmharness.deck.keyword import Keyword
 CONTROL_TIMESTEP = Keyword(
     "CONTROL_TIMESTEP",
     Card(
-        dtinit=only(0.0),
+        dtinit=real(0.0, at_least=0.0),
         tssfac=real(0.9, zero_is_default=True, above=0.0),
         isdo=integer(0, choices=(0, 1, 2)),
         tslimt=only(0.0),
-        dt2ms=only(0.0),
-        lctm=only(0),
+        dt2ms=real(0.0),
+        lctm=integer(0, at_least=0),
         erode=only(0),
-        ms1st=only(0),
+        ms1st=integer(0, choices=(0, 1)),
     ),
     single=True,
 )

@@ -65,7 +65,7 @@ BINARY = tuple(
 
 HISTORY = tuple(
     Keyword(f"DATABASE_HISTORY_{name}", Rows(per_line=8, ids=integer(0)), effect=EFFECT)
-    for name in ("NODE", "NODE_SET", "SHELL", "SHELL_SET")
+    for name in ("NODE", "NODE_SET", "SHELL", "SHELL_SET", "SOLID", "SOLID_SET")
 )
 
 HISTORY_NODE_ID = Keyword(

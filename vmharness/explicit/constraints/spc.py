@@ -32,6 +32,15 @@ CODES = {0: "", 1: "x", 2: "y", 3: "z", 4: "xy", 5: "yz", 6: "zx", 7: "xyz"}  # 
 
 def build(deck: Deck, model: Model) -> None:
     """Add one constraint for all supports of the deck, if it has any."""
+    fixed = supported(deck, model)
+    if fixed.any():
+        model.state.v[fixed[:, :3]] = 0.0  # a support overrules an initial velocity
+        model.state.omega[fixed[:, 3:]] = 0.0
+        model.constraints.append(Supports(fixed))
+
+
+def supported(deck: Deck, model: Model) -> NDArray[np.bool_]:
+    """Which degrees of freedom (n, 6) any support of the deck holds."""
     fixed = np.zeros((model.state.mass.size, 6), bool)
     for entry in deck.all(BOUNDARY_SPC_NODE):
         fixed[model.row(entry, "nid", entry.nid)] |= _flags(entry)
@@ -39,10 +48,7 @@ def build(deck: Deck, model: Model) -> None:
         fixed[node_set(deck, model, entry, "nsid")] |= _flags(entry)
     for entry in deck.all(NODE):
         _codes(entry, model, fixed)
-    if fixed.any():
-        model.state.v[fixed[:, :3]] = 0.0  # a support overrules an initial velocity
-        model.state.omega[fixed[:, 3:]] = 0.0
-        model.constraints.append(Supports(fixed))
+    return fixed
 
 
 def _flags(entry: Entry) -> NDArray[np.bool_]:

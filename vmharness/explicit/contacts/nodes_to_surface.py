@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.deck import Card, Deck, Entry, Keyword
-from vmharness.deck.field import integer, only, real
+from vmharness.deck.field import integer, only, real, text
 from vmharness.deck.keywords.control_contact import CONTROL_CONTACT
 from vmharness.explicit.compiled import kernel
 from vmharness.explicit.model import Model
@@ -46,13 +46,18 @@ CONTACT_NODES_TO_SURFACE = Keyword(
         sast=only(0.0), sbst=only(0.0), sfsat=only(1.0, zero_is_default=True), sfsbt=only(1.0, zero_is_default=True),
         fsf=only(1.0, zero_is_default=True), vsf=only(1.0, zero_is_default=True),
     ),
-    options=("ID",),
+    options={"ID": Card(cid=integer(0), heading=text("", width=70))},
 )  # fmt: skip
 
 
 def build(deck: Deck, model: Model) -> None:
     """Add a force for each such contact of the deck."""
-    for number, entry in enumerate(deck.all(CONTACT_NODES_TO_SURFACE), 1):
+    taken: set[int] = set()
+    for order, entry in enumerate(deck.all(CONTACT_NODES_TO_SURFACE), 1):
+        number = entry.cid or order
+        if number in taken:
+            raise entry.error("cid", "another contact has this number; give each its own by _ID")
+        taken.add(number)
         model.forces.append(_contact(deck, model, entry, number))
 
 
@@ -65,7 +70,7 @@ def _contact(deck: Deck, model: Model, entry: Entry, number: int) -> "NodesToSur
     nodal = slsfac * entry.sfsa * penalty_at_nodes(deck, model, tracked)
     if orien == 2 or (orien == 1 and entry.surfbtyp != 0):
         face_toward(segments.nodes, model.state.x, tracked)
-    contact = NodesToSurface(f"contact {number}", tracked, segments.nodes, stiffness, nodal)
+    contact = NodesToSurface(number, tracked, segments.nodes, stiffness, nodal)
     for node, gap in contact.initial_penetrations(model.state.x):
         raise entry.error(
             "surfa", f"node {model.ids[node]} begins {-gap:.4g} behind the surface; move it to the front"
@@ -89,9 +94,10 @@ def _normals(corners: Array) -> Array:
 class NodesToSurface:
     """Penalty contact of tracked nodes (nt,) with segments (ns, 4), all given as rows of the state's arrays."""
 
-    def __init__(self, name: str, tracked: Index, segments: Index, stiffness: Array, nodal: Array) -> None:
-        """`stiffness` (ns,) and `nodal` (nt,) are k of segments and of tracked nodes."""
-        self.name, self.tracked, self.segments = name, tracked, segments
+    def __init__(self, number: int, tracked: Index, segments: Index, stiffness: Array, nodal: Array) -> None:
+        """`number` is CID, or the contact's place in the deck; `stiffness` (ns,) and `nodal` (nt,) are k."""
+        self.number, self.name = number, f"contact {number}"
+        self.tracked, self.segments = tracked, segments
         self.stiffness, self.nodal = stiffness, nodal
         self.segment = np.full(tracked.size, -1)  # (nt,) the segment each node is in contact with, or -1
         self.weights = np.zeros((tracked.size, 4))  # (nt, 4) N_i at the contact point
@@ -140,8 +146,9 @@ def penalise(
             for i in range(4):
                 weights[t, i] = shape(i, point[0], point[1])
             relative_velocity(relative, v, node, segments[s], weights[t])
-            # Contact begins by passing through the surface within the step, not behind an edge.
-            if segment[t] < 0 and -point[2] > 1.01 * dt * np.sqrt(dot(relative, relative)):
+            # Contact begins by passing through the surface within the step, not behind an edge. At the start dt is
+            # zero, and who is behind by round-off is in contact.
+            if segment[t] < 0 and dt > 0.0 and -point[2] > 1.01 * dt * np.sqrt(dot(relative, relative)):
                 s = -1
         else:
             s = -1

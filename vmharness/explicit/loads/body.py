@@ -1,47 +1,77 @@
-"""*LOAD_BODY_X, _Y, _Z: the acceleration of the base, felt as a force -m a in the body.
+"""*LOAD_BODY_X, _Y, _Z and _RX, _RY, _RZ: the motion of the base, felt as a force in the body.
 
-A positive value pulls toward the negative axis (d'Alembert): +386 on *LOAD_BODY_Z lets a ball fall toward -z.
+    _X    f = -m SF LC(t) along x                                       base acceleration
+    _RX   f = m omega^2 r, omega = SF LC(t), r from the axis to x_n     base rotation: centrifugal, outward
+
+A positive acceleration pulls toward the negative axis (d'Alembert): +386 on *LOAD_BODY_Z lets a ball fall toward -z.
+The axis of _RX, _RY, _RZ is parallel to x, y, z and passes through (XC, YC, ZC). Euler and Coriolis forces are not
+part of it: it is for a body at rest in the turning base, and a curve of omega that varies slowly.
+
+*LOAD_BODY_PARTS restricts all of these to the nodes of a part set, with all the mass that they have.
 """
 
 import numpy as np
+from numpy.typing import NDArray
 
 from vmharness.deck import Card, Deck, Keyword
-from vmharness.deck.field import integer, only, real
+from vmharness.deck.field import Field, integer, only, real
+from vmharness.deck.keywords.part import PART
 from vmharness.explicit.compiled import kernel
 from vmharness.explicit.curve import Curve, time_curve
 from vmharness.explicit.model import Model
+from vmharness.explicit.sets import nodes_of_parts, part_set
 from vmharness.explicit.state import Array, State
 
+Index = NDArray[np.intp]
 
-def _keyword(axis: str) -> Keyword:
-    card = Card(
-        lcid=integer(),
-        sf=real(1.0, zero_is_default=True),
-        lciddr=only(0),
-        xc=only(0.0),
-        yc=only(0.0),
-        zc=only(0.0),
-        cid=only(0),
-    )
+
+def _keyword(axis: str, **centre: Field) -> Keyword:
+    sf = real(1.0, zero_is_default=True)
+    card = Card({"lcid": integer(above=0), "sf": sf, "lciddr": only(0), **centre, "cid": only(0)})
     return Keyword(f"LOAD_BODY_{axis}", card)
 
 
-LOAD_BODY_X, LOAD_BODY_Y, LOAD_BODY_Z = (_keyword(axis) for axis in "XYZ")
+LOAD_BODY_X, LOAD_BODY_Y, LOAD_BODY_Z = (
+    _keyword(axis, xc=only(0.0), yc=only(0.0), zc=only(0.0)) for axis in "XYZ"
+)
+LOAD_BODY_RX, LOAD_BODY_RY, LOAD_BODY_RZ = (
+    _keyword(f"R{axis}", xc=real(0.0), yc=real(0.0), zc=real(0.0)) for axis in "XYZ"
+)
+LOAD_BODY_PARTS = Keyword("LOAD_BODY_PARTS", Card(psid=integer(above=0)), single=True)
 
 
 def build(deck: Deck, model: Model) -> None:
     """Add a force for each *LOAD_BODY_... of the deck."""
+    nodes = _nodes(deck, model)
     for axis, keyword in enumerate((LOAD_BODY_X, LOAD_BODY_Y, LOAD_BODY_Z)):
         for entry in deck.all(keyword):
             curve = time_curve(deck, entry, "lcid", model.end_time)
-            model.forces.append(BodyLoad(f"*{keyword.name}", axis, entry.sf, curve))
+            model.forces.append(BodyLoad(f"*{keyword.name}", nodes, axis, entry.sf, curve))
+    for axis, keyword in enumerate((LOAD_BODY_RX, LOAD_BODY_RY, LOAD_BODY_RZ)):
+        for entry in deck.all(keyword):
+            curve = time_curve(deck, entry, "lcid", model.end_time)
+            centre = np.array([entry.xc, entry.yc, entry.zc])
+            model.forces.append(Centrifugal(f"*{keyword.name}", nodes, axis, centre, entry.sf, curve))
+
+
+def _nodes(deck: Deck, model: Model) -> Index:
+    """All nodes, or those of *LOAD_BODY_PARTS, which other parts must not share: whose mass it is, none could say."""
+    chosen = deck.first(LOAD_BODY_PARTS)
+    if chosen is None:
+        return np.arange(model.ids.size)
+    pids = part_set(deck, chosen, "psid")
+    nodes = nodes_of_parts(deck, model, pids)
+    others = nodes_of_parts(deck, model, {part.pid for part in deck.all(PART)} - pids)
+    for row in np.intersect1d(nodes, others):
+        raise chosen.error("psid", f"node {model.ids[row]} belongs to another part as well; not supported")
+    return nodes
 
 
 class BodyLoad:
-    """f = -m SF LC(t) along one axis, on every node."""
+    """f = -m SF LC(t) along one axis, on `nodes` (m,)."""
 
-    def __init__(self, name: str, axis: int, sf: float, curve: Curve) -> None:
-        self.name, self.axis, self.sf, self.curve = name, axis, sf, curve
+    def __init__(self, name: str, nodes: Index, axis: int, sf: float, curve: Curve) -> None:
+        self.name, self.nodes, self.axis, self.sf, self.curve = name, nodes, axis, sf, curve
         self.energy = {"external work": np.zeros(1)}
         self.acceleration = -sf * curve(0.0)
 
@@ -52,6 +82,7 @@ class BodyLoad:
             state.f,
             state.v,
             state.mass,
+            self.nodes,
             self.axis,
             before,
             self.acceleration,
@@ -64,13 +95,57 @@ class BodyLoad:
         return np.inf
 
 
+class Centrifugal:
+    """f = m (SF LC(t))^2 r outward from an axis parallel to x, y or z through `centre` (3,), on `nodes` (m,)."""
+
+    def __init__(self, name: str, nodes: Index, axis: int, centre: Array, sf: float, curve: Curve) -> None:
+        self.name, self.nodes, self.axis, self.centre = name, nodes, axis, centre
+        self.sf, self.curve = sf, curve
+        self.energy = {"external work": np.zeros(1)}
+        self.square = (sf * curve(0.0)) ** 2  # omega^2
+
+    def add(self, state: State) -> None:
+        """f += m omega^2 r at t_n, and the work 1/2 (f_n + f_{n+1}) dt v_{n+1/2}."""
+        before, self.square = self.square, (self.sf * self.curve(state.t)) ** 2
+        fling(
+            state.f, state.x, state.v, state.mass, self.nodes, self.axis, self.centre,
+            before, self.square, state.dt, self.energy["external work"],
+        )  # fmt: skip
+
+    def stable_step(self) -> float:
+        """A load sets no step."""
+        return np.inf
+
+
 @kernel
 def pull(
-    f: Array, v: Array, mass: Array, axis: int, before: float, now: float, dt: float, work: Array
+    f: Array,
+    v: Array,
+    mass: Array,
+    nodes: Index,
+    axis: int,
+    before: float,
+    now: float,
+    dt: float,
+    work: Array,
 ) -> None:
-    """Add m `now` to every node along `axis`; v is v_{n-1/2} of the step dt that is over."""
+    """Add m `now` along `axis`; v is v_{n-1/2} of the step dt that is over."""
     momentum = 0.0
-    for i in range(mass.size):
+    for i in nodes:
         f[i, axis] += mass[i] * now
         momentum += mass[i] * v[i, axis]
     work[0] += 0.5 * (before + now) * dt * momentum
+
+
+@kernel
+def fling(
+    f: Array, x: Array, v: Array, mass: Array, nodes: Index, axis: int, centre: Array,
+    before: float, now: float, dt: float, work: Array,
+) -> None:  # fmt: skip
+    """Add m `now` r, `now` and `before` being omega^2; the step began at x - dt v."""
+    for j in range(3):
+        if j != axis:
+            for i in nodes:
+                r, step = x[i, j] - centre[j], dt * v[i, j]
+                f[i, j] += mass[i] * now * r
+                work[0] += 0.5 * mass[i] * (before * (r - step) + now * r) * step

@@ -9,8 +9,17 @@ It takes one point over one step: strain increments (engineering shear: dexy = 2
 returns the stress after and the strain increment dezz through the thickness that keeps s_zz = 0. `constants` is the
 tuple that the material makes once. `dt` serves laws that depend on the rate. The k-th history variable of the point is
 `history[at + k * stride]`, kept between steps; HISTORY says how many a law needs
-for each state of stress that it can do. No branch depends on the point's
+for each state of stress that it can do. Every law for solids has the signature of `solid`:
+
+    law(constants, dt, dexx, deyy, dezz, dexy, deyz, dezx, sxx, syy, szz, sxy, syz, szx, history, at, stride)
+        -> sxx, syy, szz, sxy, syz, szx
+
+No branch depends on the point's
 state if it can be avoided: the law is inlined in a loop over elements, which then vectorises.
+
+A law for uniaxial stress (bars) takes the increment of the axial strain and returns the axial stress:
+
+    law(constants, dt, deps, s, history, at, stride) -> s
 """
 
 from vmharness.deck import Card, Deck, Entry, Keyword, integer, only, real, skip
@@ -36,7 +45,7 @@ KEYWORD = Keyword(
     kind="material",
 )
 
-HISTORY = {"plane_stress": 0}
+HISTORY = {"plane_stress": 0, "solid": 0, "uniaxial": 0}
 
 
 def constants(deck: Deck, entry: Entry) -> tuple[float, float]:
@@ -78,4 +87,50 @@ def plane_stress(
         syz + g * deyz,
         szx + g * dezx,
         -nu / (1 - nu) * (dexx + deyy),
+    )
+
+
+@inlined
+def uniaxial(
+    constants: tuple[float, float], dt: float, deps: float, s: float, history: Array, at: int, stride: int
+) -> float:
+    """Axial stress after the increment `deps` of the axial strain: ds = E deps; no history."""
+    e, _ = constants
+    return s + e * deps
+
+
+@inlined
+def solid(
+    constants: tuple[float, float],
+    dt: float,
+    dexx: float,
+    deyy: float,
+    dezz: float,
+    dexy: float,
+    deyz: float,
+    dezx: float,
+    sxx: float,
+    syy: float,
+    szz: float,
+    sxy: float,
+    syz: float,
+    szx: float,
+    history: Array,
+    at: int,
+    stride: int,
+) -> tuple[float, float, float, float, float, float]:
+    """Stress after a strain increment; no history.
+
+    ds_xx = lambda (de_xx + de_yy + de_zz) + 2 G de_xx,  ds_xy = G de_xy,  lambda = E nu / ((1+nu)(1-2nu))
+    """
+    e, nu = constants
+    g = e / (2 * (1 + nu))
+    pressure = 2 * g * nu / (1 - 2 * nu) * (dexx + deyy + dezz)
+    return (
+        sxx + pressure + 2 * g * dexx,
+        syy + pressure + 2 * g * deyy,
+        szz + pressure + 2 * g * dezz,
+        sxy + g * dexy,
+        syz + g * deyz,
+        szx + g * dezx,
     )

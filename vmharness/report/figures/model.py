@@ -22,8 +22,10 @@ NO_LINE: dict[str, Any] = {"linestyle": "none"}
 MASS: dict[str, Any] = {**NO_LINE, "marker": "o", "markersize": 15, "mfc": "#c9d3db", "mec": INK}
 SHELL: dict[str, Any] = {**NO_LINE, "marker": "s", "markersize": 10, "mfc": FACE, "mec": EDGE}
 SUPPORT: dict[str, Any] = {**NO_LINE, "marker": TRIANGLE, "markersize": 13, "mfc": "white", "mec": "#3f7d20"}
+BEAM: dict[str, Any] = {"color": EDGE, "linewidth": 2.4}
+DISCRETE: dict[str, Any] = {"color": INK, "linewidth": 1.2}
 CONTACT: dict[str, Any] = {"color": "#7b3294", "linewidth": 1.2, "linestyle": (0, (4, 3))}
-MANY = 60  # nodes: more numbers, or lines of contact, would hide the model
+MANY = 30  # nodes: more numbers, or lines of contact, would hide the model
 # Rows are the directions of the drawing, to the right and up: the axes 120 degrees apart, z upright.
 ISOMETRIC = np.array([[np.sqrt(3.0) / 2.0, -np.sqrt(3.0) / 2.0, 0.0], [0.5, 0.5, 1.0]])
 
@@ -40,6 +42,8 @@ def draw(view: View, case: str, acceleration: str) -> str:
         at = view.x @ ISOMETRIC.T  # (n, 2)
         size = float(np.ptp(at, axis=0).max()) or 1.0
         _shells(axes, view, at)
+        _beams(axes, view, at)
+        _discrete(axes, view, at)
         _contacts(axes, view, at)
         _nodes(axes, view, at)
         _body_load(axes, view, at, size, acceleration)
@@ -56,6 +60,8 @@ def _entries(view: View) -> list[Entry]:
     entries = [
         (view.masses.size, _counted(view.masses.size, "mass element"), MASS),
         (view.shells.shape[0], _counted(view.shells.shape[0], "shell element"), SHELL),
+        (len(view.beams), _counted(len(view.beams), "beam element"), BEAM),
+        (len(view.discrete), _counted(len(view.discrete), "discrete element"), DISCRETE),
         (view.supports.size, _counted(view.supports.size, "supported node"), SUPPORT),
         (tracked, f"contact: {_counted(tracked, 'node')}\non {_counted(segments, 'segment')}", CONTACT),
     ]
@@ -69,6 +75,30 @@ def _shells(axes: "Axes", view: View, at: Array) -> None:
         width = 0.4 if view.shells.shape[0] > MANY else 1.2
         corners = [at[shell] for shell in view.shells]
         axes.add_collection(PolyCollection(corners, facecolors=FACE, edgecolors=EDGE, linewidths=width))
+
+
+def _beams(axes: "Axes", view: View, at: Array) -> None:
+    from matplotlib.collections import LineCollection
+
+    if view.beams.size:
+        axes.add_collection(
+            LineCollection(
+                [at[beam] for beam in view.beams],
+                zorder=1,
+                colors=BEAM["color"],
+                linewidths=BEAM["linewidth"],
+            )
+        )
+
+
+def _discrete(axes: "Axes", view: View, at: Array) -> None:
+    """A zigzag between the nodes of each spring or damper."""
+    for a, b in view.discrete:
+        across = 0.03 * np.array([at[a, 1] - at[b, 1], at[b, 0] - at[a, 0]])
+        along = np.array([0.0, 0.3, *np.arange(0.325, 0.7, 0.05), 0.7, 1.0])
+        side = np.array([0.0, 0.0, *np.resize([1.0, -1.0], along.size - 4), 0.0, 0.0])
+        line = at[a] + np.outer(along, at[b] - at[a]) + np.outer(side, across)
+        axes.plot(line[:, 0], line[:, 1], zorder=1, **DISCRETE)
 
 
 def _contacts(axes: "Axes", view: View, at: Array) -> None:

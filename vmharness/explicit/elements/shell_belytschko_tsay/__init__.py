@@ -8,9 +8,10 @@ Belytschko-Lin-Tsay shell.
     rates.py      strain and hourglass increments, on the geometry at mid-step
     forces.py     nodal forces and moments, on the geometry at the end of the step
     hourglass.py  moduli of the viscous and the stiffness form
+    thickness.py  that follows the strain through it (ISTUPD)
     mass.py       lumped mass and rotary inertia
     length.py     characteristic length of the stable step
-    step.py       one step of many elements; lanes.py: how they lie side by side so that loops vectorise
+    step.py       one step of many elements; lanes.py: the rows of its buffer
     part.py       the shells of a part as a force; build.py: from the deck
 
 It has no stiffness against warping and none about its normal (drilling), and it is exact for a constant membrane strain

@@ -2,10 +2,10 @@
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.control_hourglass import CONTROL_HOURGLASS
+from vmharness.deck.keywords.control_shell import CONTROL_SHELL
 from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
 from vmharness.deck.keywords.hourglass import HOURGLASS
 from vmharness.explicit.elements.shell_belytschko_tsay.hourglass import Hourglass
-from vmharness.explicit.elements.shell_belytschko_tsay.mass import nodal_mass
 from vmharness.explicit.elements.shell_belytschko_tsay.part import BelytschkoTsay
 from vmharness.explicit.material import law_of
 from vmharness.explicit.model import Model
@@ -23,15 +23,15 @@ def build(deck: Deck, model: Model) -> None:
         if part.section.elform != ELFORM:
             raise part.section.error("elform", f"not implemented; supported: {ELFORM} (Belytschko-Tsay)")
         t = thickness(part)
-        model.forces.append(_force(deck, model, part, t))
-        material = part.material
-        mass, inertia = nodal_mass(model.x0[part.nodes], t, material.ro, material.pr, part.section.shrf)
+        shells = _force(deck, model, part, t)
+        model.forces.append(shells)
         for corner in part.nodes.T:
-            model.add_mass(corner, mass, inertia)
+            model.add_mass(corner, shells.mass, shells.inertia)
 
 
 def _force(deck: Deck, model: Model, part: Part, t: Array) -> BelytschkoTsay:
     material, section, timestep = part.material, part.section, deck.first(CONTROL_TIMESTEP)
+    control = deck.first(CONTROL_SHELL)
     law = law_of(material, "plane_stress", part.part)
     try:
         return BelytschkoTsay(
@@ -47,7 +47,9 @@ def _force(deck: Deck, model: Model, part: Part, t: Array) -> BelytschkoTsay:
             shrf=section.shrf,
             hourglass=_hourglass(deck, part.part),
             isdo=timestep.isdo if timestep else 0,
+            thinning=bool(control and control.istupd),
             history=law.HISTORY["plane_stress"],
+            channels=getattr(law, "CHANNELS", {}),
             eid=part.eid,
             pid=part.pid,
         )

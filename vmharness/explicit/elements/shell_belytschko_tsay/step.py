@@ -1,9 +1,9 @@
 """One step of many shells: gather, rates at mid-step, stresses, forces at the end of the step, scatter.
 
-Arrays per block of LANES elements, with rows as in lanes.py: `nodes (blocks, 4 rows)`; `section (blocks, 4 rows)`,
-thickness and the three hourglass moduli; `stress (blocks, nip, 5 rows)`, xx, yy, xy, yz, zx; `history (blocks, nip,
-rows)`; `hourglass (blocks, 5 rows)`, Q x, y, z and R x, y. The last block is filled up with copies of the last
-element, which add neither force nor energy.
+Arrays per block of LANES elements, with rows as in lanes.py: `nodes (blocks, 4 rows)`; `section (blocks, 5 rows)`,
+thickness, the three hourglass moduli, root of the factor of density (1 but for mass scaling); `stress (blocks, nip, 5
+rows)`, xx, yy, xy, yz, zx; `history (blocks, nip, rows)`; `hourglass (blocks, 5 rows)`, Q x, y, z and R x, y. The last
+block is filled up with copies of the last element, which add neither force nor energy.
 """
 
 import numpy as np
@@ -14,15 +14,14 @@ from vmharness.explicit.elements.shell_belytschko_tsay.lanes import (
     AREA,
     CURVATURE,
     HOURGLASS_WORK,
-    LANES,
     LENGTH,
     MEMBRANE,
     MOMENT,
     OMEGA,
     SHEAR,
+    THINNING,
     WORK,
     F,
-    Indices,
     M,
     N,
     Q,
@@ -31,14 +30,12 @@ from vmharness.explicit.elements.shell_belytschko_tsay.lanes import (
     V,
     X,
     corners,
-    gather,
-    put,
     put_corners,
-    scatter,
-    vector,
 )
 from vmharness.explicit.elements.shell_belytschko_tsay.length import by_side as length
 from vmharness.explicit.elements.shell_belytschko_tsay.rates import increments
+from vmharness.explicit.elements.shell_belytschko_tsay.thickness import thin
+from vmharness.explicit.lanes import LANES, Indices, gather, put, scatter, vector
 from vmharness.explicit.materials.elastic import plane_stress as law
 from vmharness.explicit.state import Array
 from vmharness.explicit.vector import add, dot, scale
@@ -67,6 +64,7 @@ def strain(work: Array, dt: float) -> None:
         put(work, S, e, (0.0, 0.0, 0.0))
         work[AREA * LANES + e] = area
         work[WORK * LANES + e] = 0.0
+        work[THINNING * LANES + e] = 0.0
 
 
 def stress_at_point(
@@ -83,6 +81,7 @@ def stress_at_point(
     """Update the stress at height z = zeta t/2 and add its share to resultants and work, with dz = weight t/2.
 
     N = int s dz,   M = int z s dz,   S = kappa int s dz,   work = A int 1/2 (s_{n-1} + s_n) de dz
+    and to the mean strain through the thickness, int de_zz dz / t.
     """
     for e in range(LANES):
         thickness = section[e]
@@ -97,7 +96,7 @@ def stress_at_point(
         pxx, pyy, pxy = vector(stress, 0, e)
         pyz, pzx = stress[3 * LANES + e], stress[4 * LANES + e]
 
-        sxx, syy, sxy, syz, szx, _ = law(
+        sxx, syy, sxy, syz, szx, dezz = law(
             constants, dt, dexx, deyy, dexy, deyz, dezx, pxx, pyy, pxy, pyz, pzx, history, e, LANES
         )
 
@@ -108,6 +107,7 @@ def stress_at_point(
         put(work, S, e, add(vector(work, S, e), scale(shrf * dz, (syz, szx, 0.0))))
         in_plane = (pxx + sxx) * dexx + (pyy + syy) * deyy + (pxy + sxy) * dexy
         across = (pyz + syz) * deyz + (pzx + szx) * dezx
+        work[THINNING * LANES + e] += 0.5 * weight * dezz
         work[WORK * LANES + e] += 0.5 * dz * work[AREA * LANES + e] * (in_plane + shrf * across)
 
 
@@ -132,11 +132,14 @@ def hourglass_force(work: Array, dt: float, section: Array, viscous: bool, hourg
         )
 
 
-def force(work: Array) -> None:
-    """Forces on the geometry at the end of the step, and the shortest characteristic length so far."""
+def force(work: Array, section: Array) -> None:
+    """Forces on the geometry at the end of the step, and the shortest characteristic length so far.
+
+    Mass scaling slows the waves of an element, as if it were longer.
+    """
     for e in range(LANES):
         x = corners(work, X, e)
-        work[LENGTH * LANES + e] = min(work[LENGTH * LANES + e], length(x))
+        work[LENGTH * LANES + e] = min(work[LENGTH * LANES + e], section[4 * LANES + e] * length(x))
         f, moment = nodal_forces(
             x,
             vector(work, N, e),
@@ -159,6 +162,7 @@ def step(
     section: Array,
     points: Array,
     shrf: float,
+    thinning: bool,
     constants: tuple[float, ...],
     stress: Array,
     history: Array,
@@ -186,8 +190,10 @@ def step(
             stress_at_point(
                 work, dt, section[block], zeta, weight, shrf, constants, stress[block, p], history[block, p]
             )
+        if thinning:
+            thin(work, section[block])
         hourglass_force(work, dt, section[block], viscous, hourglass[block])
-        force(work)
+        force(work, section[block])
         count = min(LANES, elements - block * LANES)
         scatter(f, nodes[block], count, work, F)
         scatter(moment, nodes[block], count, work, MOMENT)

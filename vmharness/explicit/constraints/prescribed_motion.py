@@ -1,0 +1,172 @@
+"""*BOUNDARY_PRESCRIBED_MOTION_NODE and _SET: nodes that follow a curve c(t) = SF LC(t - BIRTH), BIRTH <= t < DEATH.
+
+    VAD 0, velocity        v_{n+1/2} = mean of c over the step      v_n = c(t_n)     x_n - x_0 = integral of c
+    VAD 1, acceleration    a_n = c(t_n)
+    VAD 2, displacement    v_{n+1/2} = (c_{n+1} - c_n)/dt           a_n = 0          x_n - x_0 = c(t_n)
+
+Each holds exactly at every t_n. A displacement is a broken line: its velocity is constant between the points of the
+curve, and what turns it at a point is an impulse, which no sample shows but the work has.
+
+The reaction r = m a - f is what the motion exerts. Its work is what the nodes gain and what they pass on,
+
+    W = sum of 1/2 m (v_{n+1}^2 - v_n^2) - 1/2 (f_n + f_{n+1}) dt v_{n+1/2},
+
+which is 1/2 (r_n + r_{n+1}) dt v_{n+1/2} to second order, and balances at impulses too.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vmharness.deck import Card, Deck, Entry, Keyword
+from vmharness.deck.field import Field, integer, only, real
+from vmharness.explicit.compiled import kernel
+from vmharness.explicit.constraints.spc import supported
+from vmharness.explicit.curve import Curve, time_curve
+from vmharness.explicit.dof import DOF, place
+from vmharness.explicit.model import Model
+from vmharness.explicit.sets import node_set
+from vmharness.explicit.state import Array, State
+
+Index = NDArray[np.intp]
+
+MOTION: dict[str, Field] = {
+    "dof": DOF,
+    "vad": integer(0, choices=(0, 1, 2)),
+    "lcid": integer(above=0),
+    "sf": real(1.0, zero_is_default=True),
+    "vid": only(0),
+    "death": real(1e28, zero_is_default=True, above=0.0),
+    "birth": real(0.0, at_least=0.0),
+}
+BOUNDARY_PRESCRIBED_MOTION_NODE = Keyword(
+    "BOUNDARY_PRESCRIBED_MOTION_NODE",
+    Card({"nid": integer(above=0), **MOTION}),
+    options=("ID",),
+    repeat=True,
+)
+BOUNDARY_PRESCRIBED_MOTION_SET = Keyword(
+    "BOUNDARY_PRESCRIBED_MOTION_SET",
+    Card({"nsid": integer(above=0), **MOTION}),
+    options=("ID",),
+    repeat=True,
+)
+KEYWORDS = (BOUNDARY_PRESCRIBED_MOTION_NODE, BOUNDARY_PRESCRIBED_MOTION_SET)
+
+VELOCITY, ACCELERATION, DISPLACEMENT = 0, 1, 2  # VAD
+
+
+def build(deck: Deck, model: Model) -> None:
+    """Add a constraint for each card, in the deck's order; one degree of freedom has one master."""
+    entries = [entry for entry in deck.entries if entry.keyword in KEYWORDS]
+    if not entries:
+        return
+    held, moved = supported(deck, model), np.zeros((model.ids.size, 6), bool)
+    for number, entry in enumerate(entries, 1):
+        rows, dof = _nodes(deck, model, entry), place(entry)
+        for flags, master in ((held, "a support"), (moved, "another prescribed motion")):
+            for row in rows[flags[rows, dof]]:
+                raise entry.error("dof", f"node {model.ids[row]} is ruled by {master} in this direction")
+        moved[rows, dof] = True
+        model.constraints.append(_motion(deck, model, entry, rows, number))
+
+
+def _nodes(deck: Deck, model: Model, entry: Entry) -> Index:
+    if entry.keyword is BOUNDARY_PRESCRIBED_MOTION_SET:
+        return node_set(deck, model, entry, "nsid")
+    return np.array([model.row(entry, "nid", entry.nid)], np.intp)
+
+
+def _motion(deck: Deck, model: Model, entry: Entry, rows: Index, number: int) -> "PrescribedMotion":
+    if entry.death <= entry.birth:
+        raise entry.error("death", f"the motion would end before its birth at {entry.birth:g}")
+    curve = time_curve(deck, entry, "lcid", min(model.end_time, entry.death) - entry.birth)
+    if entry.vad == DISPLACEMENT and curve(0.0) != 0.0:
+        raise entry.error(
+            "lcid", f"a displacement that begins with a jump, {curve(0.0):g}; let it begin at 0"
+        )
+    motion = PrescribedMotion(
+        f"prescribed motion {number}",
+        rows,
+        place(entry),
+        entry.vad,
+        entry.sf,
+        curve,
+        entry.birth,
+        entry.death,
+    )
+    motion.begin(model)
+    return motion
+
+
+class PrescribedMotion:
+    """One degree of freedom (0 to 5: x, y, z and rotations) of nodes (m,) that follows c(t) = sf curve(t - birth)."""
+
+    def __init__(
+        self, name: str, nodes: Index, dof: int, vad: int, sf: float, curve: Curve, birth: float, death: float
+    ) -> None:
+        self.name, self.nodes, self.dof, self.axis, self.vad = name, nodes, dof, dof % 3, vad
+        self.sf, self.curve, self.birth, self.death = sf, curve, birth, death
+        self.energy = {"external work": np.zeros(1)}
+        self.reaction = np.zeros(nodes.size)  # (m,)
+        self.total = np.zeros(6)  # its sum, at `dof`
+        self.drives = False  # whether the last step was driven
+        self.velocity = np.zeros(nodes.size)  # (m,) v_n
+        self.force = np.zeros(nodes.size)  # (m,) f_n
+
+    def begin(self, model: Model) -> None:
+        """Free its nodes of the need for mass if it drives them throughout; set their velocity, which overrules."""
+        self.fixed = np.zeros((model.ids.size, 6), bool)
+        self.fixed[self.nodes, self.dof] = self.throughout(model.end_time)
+        if self.birth == 0.0 and self.vad != ACCELERATION:
+            v = self.curve(0.0) if self.vad == VELOCITY else self.curve.slope()
+            self._arrays(model.state)[0][self.nodes, self.axis] = self.sf * v
+
+    def throughout(self, end_time: float) -> bool:
+        """Whether it lasts from the beginning to the end of the run."""
+        return self.birth == 0.0 and self.death > end_time
+
+    def accelerate(self, state: State) -> None:
+        """a_n, the reaction, and the work of the step that led to t_n."""
+        drives = self.birth <= state.t < self.death
+        t = state.t - self.birth
+        value = self.sf * self.curve(t) if drives and self.vad != DISPLACEMENT else 0.0
+        follows_velocity = self.vad == VELOCITY and state.dt > 0.0
+        if self.vad == VELOCITY and not follows_velocity:
+            value = self.sf * self.curve.slope()
+        impose(
+            *self._arrays(state), self.nodes, self.axis, state.dt, drives, self.drives, follows_velocity, value,
+            self.reaction, self.velocity, self.force, self.energy["external work"],
+        )  # fmt: skip
+        self.total[self.dof] = self.reaction.sum()
+
+    def move(self, state: State, dt: float) -> None:
+        """v_{n+1/2}, so that the step ends where the curve says."""
+        self.drives = self.birth <= state.t < self.death
+        if self.drives and self.vad != ACCELERATION:
+            t = state.t - self.birth
+            mean = self.curve.mean if self.vad == VELOCITY else self.curve.rate
+            self._arrays(state)[0][self.nodes, self.axis] = self.sf * mean(t, t + dt)
+
+    def _arrays(self, s: State) -> tuple[Array, Array, Array, Array]:
+        """v, a, f, m, or their rotational partners."""
+        return (s.v, s.a, s.f, s.mass) if self.dof < 3 else (s.omega, s.alpha, s.moment, s.inertia)
+
+
+@kernel
+def impose(
+    v: Array, a: Array, f: Array, m: Array, nodes: Index, j: int, dt: float, drives: bool, drove: bool,
+    is_velocity: bool, value: float, reaction: Array, velocity: Array, force: Array, work: Array,
+) -> None:  # fmt: skip
+    """a_n = `value`, or what leads to v_n = `value`; r_n = m a_n - f_n; the work as the file says."""
+    for k in range(nodes.size):
+        i = nodes[k]
+        free = v[i, j] + 0.5 * dt * a[i, j]
+        if drives:
+            a[i, j] = (value - v[i, j]) / (0.5 * dt) if is_velocity else value
+        reaction[k] = m[i] * a[i, j] - f[i, j] if drives else 0.0
+        now = v[i, j] + 0.5 * dt * a[i, j]
+        if drove:
+            work[0] += 0.5 * m[i] * (now**2 - velocity[k] ** 2) - 0.5 * (force[k] + f[i, j]) * dt * v[i, j]
+        elif drives:
+            work[0] += 0.5 * m[i] * (now**2 - free**2)
+        velocity[k], force[k] = now, f[i, j]

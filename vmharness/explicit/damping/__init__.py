@@ -1,0 +1,1 @@
+"""Damping, one kind a file; the folder is the list."""

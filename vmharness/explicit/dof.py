@@ -1,0 +1,11 @@
+"""Degrees of freedom as loads and prescribed motions number them: DOF."""
+
+from vmharness.deck import Entry
+from vmharness.deck.field import integer
+
+DOF = integer(choices=(1, 2, 3, 5, 6, 7))  # along x, y, z; about x, y, z
+
+
+def place(entry: Entry) -> int:
+    """The entry's DOF as a column of (n, 6) arrays: x, y, z and the rotations about them."""
+    return int(entry.dof - 1 if entry.dof < 4 else entry.dof - 2)

@@ -1,0 +1,99 @@
+"""The springs or dampers of one part, as a force."""
+
+from collections.abc import Callable
+from functools import cache
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vmharness.explicit.compiled import specialise
+from vmharness.explicit.elements.discrete import step
+from vmharness.explicit.elements.discrete.limit import stable_step
+from vmharness.explicit.state import Array, State
+
+ALONG, ABOUT = 0, 1  # DRO
+
+
+class Discrete:
+    """Discrete elements of one part: a force with the energy "spring and damper", stored and dissipated.
+
+    `nodes (ne, 2)`: rows of the state's arrays, -1 for the ground; `direction (ne, 3)`: unit vectors, or zero where
+    the axis follows the nodes; `size (ne,)`: S; `offset (ne,)`; `demand (2, n)`: stiffness and damping at the nodes
+    of *all* discrete elements that act as these do, filled before the first step. Consistent units.
+    """
+
+    kind = "discrete"
+
+    def __init__(
+        self,
+        name: str,
+        pid: int,
+        eid: NDArray[np.int64],
+        nodes: NDArray[np.intp],
+        direction: Array,
+        size: Array,
+        offset: Array,
+        dro: int,
+        law: ModuleType,
+        constants: tuple[Any, ...],
+        demand: Array,
+    ) -> None:
+        self.name, self.pid, self.eid = name, pid, eid
+        self.elongation, self.force = np.zeros(eid.size), np.zeros(eid.size)
+        self.energy = {"spring and damper": np.zeros(1)}
+        self.nodes, self._direction, self._size = nodes, direction, size
+        self._about = dro == ABOUT
+        self._constants, self._demand = constants, demand
+        self._history = np.zeros(law.HISTORY["spring"] * eid.size)
+        self._limit = np.inf
+        self._step = _compiled(step.step, law.spring)
+        if offset.any():
+            _compiled(step.load, law.spring)(
+                offset, size, constants, self.elongation, self.force, self._history, self._energy
+            )
+
+    @property
+    def _energy(self) -> Array:
+        return self.energy["spring and damper"]
+
+    def add(self, state: State) -> None:
+        """Add forces or moments at t_n, and the work of the step that led there."""
+        if state.cycle == 0:
+            mass = state.inertia if self._about else state.mass
+            self._limit = stable_step(self.nodes, self._demand[0], self._demand[1], mass)
+        self._step(
+            state.x,
+            state.v,
+            state.omega if self._about else state.v,
+            state.dt,
+            self.nodes,
+            self._direction,
+            self._size,
+            self._constants,
+            self.elongation,
+            self.force,
+            self._history,
+            state.moment if self._about else state.f,
+            self._energy,
+        )
+
+    def stable_step(self) -> float:
+        """The limit of the nodes that these elements join, from the bounds of the laws: the same at all times."""
+        return self._limit
+
+    def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
+        """`force` and `elongation` of an element (its place in `eid`); of a torsional one `moment` and `rotation`."""
+        names = ("moment", "rotation") if self._about else ("force", "elongation")
+        values = dict(zip(names, (self.force, self.elongation), strict=True))
+        if component not in values:
+            raise ValueError(f"no {component!r} of this discrete element; there are: {', '.join(names)}")
+        column = values[component]
+        return lambda: float(column[element])
+
+
+@cache
+def _compiled(kernel: Callable[..., None], law: Callable[..., float]) -> Callable[..., None]:
+    """A kernel of the element for one law."""
+    return specialise(kernel, law=law)

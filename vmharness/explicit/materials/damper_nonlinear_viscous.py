@@ -1,0 +1,39 @@
+"""A nonlinear dashpot: force over the rate of elongation by a curve.
+
+The rate is half a step old, as in the linear dashpot: the motion is accurate to the first order in dt.
+"""
+
+from vmharness.deck import Card, Deck, Entry, Keyword, integer
+from vmharness.explicit.characteristic import Characteristic, characteristic, ordinate, steepest
+from vmharness.explicit.state import Array
+from vmharness.explicit.vector import inlined
+
+KEYWORD = Keyword(
+    "MAT_DAMPER_NONLINEAR_VISCOUS",
+    Card(mid=integer(above=0), lcdr=integer(above=0)),
+    aliases=("MAT_S05",),
+    options=("TITLE",),
+    repeat=True,
+    unique="mid",
+    kind="material",
+)
+
+HISTORY = {"spring": 0}
+
+
+def constants(deck: Deck, entry: Entry) -> Characteristic:
+    """The curve LCDR; raises DeckError unless it passes through the origin."""
+    return characteristic(deck, entry, "lcdr")
+
+
+def bounds(constants: Characteristic) -> tuple[float, float]:
+    """No stiffness, the steepest slope of the curve as damping."""
+    return 0.0, steepest(constants)
+
+
+@inlined
+def spring(
+    constants: Characteristic, dt: float, elongation: float, rate: float, history: Array, at: int, stride: int
+) -> float:
+    """f = LCDR(ddot)."""
+    return ordinate(constants, rate)

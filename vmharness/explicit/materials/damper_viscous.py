@@ -1,0 +1,39 @@
+"""A linear dashpot: force proportional to the rate of elongation.
+
+The rate is that of the step that has led to t_n, half a step old: f_n = C ddot_{n-1/2}. The motion is therefore
+accurate to the first order in dt only, with an error of about C dt/(2 m) of the damped part.
+"""
+
+from vmharness.deck import Card, Deck, Entry, Keyword, integer, real
+from vmharness.explicit.state import Array
+from vmharness.explicit.vector import inlined
+
+KEYWORD = Keyword(
+    "MAT_DAMPER_VISCOUS",
+    Card(mid=integer(above=0), dc=real(at_least=0.0)),
+    aliases=("MAT_S02",),
+    options=("TITLE",),
+    repeat=True,
+    unique="mid",
+    kind="material",
+)
+
+HISTORY = {"spring": 0}
+
+
+def constants(deck: Deck, entry: Entry) -> tuple[float]:
+    """The damping coefficient C."""
+    return (entry.dc,)
+
+
+def bounds(constants: tuple[float]) -> tuple[float, float]:
+    """No stiffness, damping C."""
+    return 0.0, constants[0]
+
+
+@inlined
+def spring(
+    constants: tuple[float], dt: float, elongation: float, rate: float, history: Array, at: int, stride: int
+) -> float:
+    """f = C ddot."""
+    return constants[0] * rate

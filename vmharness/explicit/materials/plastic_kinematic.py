@@ -1,0 +1,59 @@
+"""*MAT_PLASTIC_KINEMATIC (003): bilinear, with hardening from kinematic (BETA = 0) to isotropic (BETA = 1).
+
+The slope ETAN of the uniaxial stress-strain curve gives the plastic modulus, which BETA divides:
+
+    E_p = E ETAN / (E - ETAN),   Y(p) = SIGY + BETA E_p p,   C = (1 - BETA) E_p
+
+Rates: Cowper and Symonds, if SRC and SRP are given. The laws are those of explicit/plasticity.
+Source: R. D. Krieg, S. W. Key, Implementation of a time dependent plasticity theory into structural computer programs
+(1976); Hallquist, LS-DYNA Theory Manual, material model 3.
+"""
+
+from vmharness.deck import Card, Deck, Entry, Keyword, integer, only, real
+from vmharness.explicit.materials.elastic import constants as elastic_constants
+from vmharness.explicit.plasticity.piecewise_linear import Curve, line
+from vmharness.explicit.plasticity.plane_stress import plane_stress
+from vmharness.explicit.plasticity.rate import Rate, cowper_symonds
+from vmharness.explicit.plasticity.solid import solid
+from vmharness.explicit.plasticity.uniaxial import uniaxial
+
+__all__ = ["CHANNELS", "HISTORY", "KEYWORD", "constants", "plane_stress", "solid", "uniaxial"]
+
+KEYWORD = Keyword(
+    "MAT_PLASTIC_KINEMATIC",
+    Card(
+        mid=integer(above=0),
+        ro=real(above=0.0),
+        e=real(above=0.0),
+        pr=real(0.0),
+        sigy=real(above=0.0),
+        etan=real(0.0, at_least=0.0),
+        beta=real(0.0, at_least=0.0),
+    ),
+    Card(src=real(0.0, at_least=0.0), srp=real(0.0, at_least=0.0), fs=only(0.0), vp=only(0.0)),
+    aliases=("MAT_003",),
+    options=("TITLE",),
+    repeat=True,
+    unique="mid",
+    kind="material",
+)
+
+HISTORY = {"plane_stress": 6, "solid": 7, "uniaxial": 2}  # p, and the back stress
+CHANNELS = {"plastic-strain": 0}
+
+
+def constants(deck: Deck, entry: Entry) -> tuple[float, float, float, Curve, Rate | None]:
+    """E, nu, C, Y and the rate's factor; raises DeckError unless ETAN < E and BETA <= 1."""
+    E, nu = elastic_constants(deck, entry)
+    if entry.etan >= E:
+        raise entry.error("etan", f"must be less than E = {E:g}")
+    if entry.beta > 1.0:
+        raise entry.error("beta", "must lie between 0 (kinematic) and 1 (isotropic)")
+    E_p = E * entry.etan / (E - entry.etan)
+    return (
+        E,
+        nu,
+        (1.0 - entry.beta) * E_p,
+        line(entry.sigy, entry.beta * E_p),
+        cowper_symonds(entry, "src", "srp"),
+    )

@@ -1,0 +1,36 @@
+"""A nonlinear elastic spring: force over elongation by a curve, the same in loading and unloading."""
+
+from vmharness.deck import Card, Deck, Entry, Keyword, integer, only
+from vmharness.explicit.characteristic import Characteristic, characteristic, ordinate, steepest
+from vmharness.explicit.state import Array
+from vmharness.explicit.vector import inlined
+
+KEYWORD = Keyword(
+    "MAT_SPRING_NONLINEAR_ELASTIC",
+    Card(mid=integer(above=0), lcd=integer(above=0), lcr=only(0)),
+    aliases=("MAT_S04",),
+    options=("TITLE",),
+    repeat=True,
+    unique="mid",
+    kind="material",
+)
+
+HISTORY = {"spring": 0}
+
+
+def constants(deck: Deck, entry: Entry) -> Characteristic:
+    """The curve LCD; raises DeckError unless it passes through the origin."""
+    return characteristic(deck, entry, "lcd")
+
+
+def bounds(constants: Characteristic) -> tuple[float, float]:
+    """The steepest slope of the curve, no damping."""
+    return steepest(constants), 0.0
+
+
+@inlined
+def spring(
+    constants: Characteristic, dt: float, elongation: float, rate: float, history: Array, at: int, stride: int
+) -> float:
+    """f = LCD(d)."""
+    return ordinate(constants, elongation)

@@ -1,0 +1,25 @@
+"""The yield condition at the end of a step of radial or uniaxial return: one equation for the increment of p.
+
+    f(dp) = trial - K dp - r Y(p + dp) = 0
+
+`trial` is q (or |s|) of the elastic trial stress, and K dp what it falls by: K = 3 G + C, or E + C in uniaxial stress.
+"""
+
+from vmharness.explicit.plasticity.piecewise_linear import Curve, value_and_slope
+from vmharness.explicit.vector import inlined
+
+ITERATIONS = 5
+
+
+@inlined
+def increment(trial: float, K: float, p: float, r: float, Y: Curve) -> float:
+    """dp >= 0, by Newton's rule; 0 where the trial stress is elastic.
+
+    Exact in one step as long as no corner of Y is passed; each corner takes one more, or an error far below round-off
+    of E dp, since the slope of Y is small against K.
+    """
+    dp = 0.0
+    for _ in range(ITERATIONS):
+        y, slope = value_and_slope(Y, p + dp)
+        dp = max(0.0, dp + (trial - K * dp - r * y) / (K + r * slope))
+    return dp

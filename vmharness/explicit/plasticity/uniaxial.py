@@ -1,0 +1,46 @@
+"""Return in uniaxial stress: |eta_trial| - (E + C) dp = r Y(p + dp), eta = s - a, with da = C dp sign(eta)."""
+
+from math import copysign
+
+from vmharness.explicit.plasticity.consistency import increment
+from vmharness.explicit.plasticity.modulus import modulus
+from vmharness.explicit.plasticity.piecewise_linear import Curve
+from vmharness.explicit.plasticity.rate import Rate, factor
+from vmharness.explicit.state import Array
+from vmharness.explicit.vector import inlined
+
+
+@inlined
+def back_stress(C: float | None, history: Array, at: int, stride: int) -> float:
+    """a = 3/2 alpha_xx, which the point's history holds after p."""
+    if C is None:
+        return 0.0
+    return history[at + stride]
+
+
+@inlined
+def move_back_stress(C: float | None, de_p: float, history: Array, at: int, stride: int) -> None:
+    """da = C d(eps_p)."""
+    if C is not None:
+        history[at + stride] += C * de_p
+
+
+@inlined
+def uniaxial(
+    constants: tuple[float, float, float | None, Curve, Rate | None],
+    dt: float,
+    deps: float,
+    s: float,
+    history: Array,
+    at: int,
+    stride: int,
+) -> float:
+    """Axial stress after a strain increment."""
+    E, _, C, Y, rate = constants
+    p, trial = history[at], s + E * deps
+    eta = trial - back_stress(C, history, at, stride)
+    dp = increment(abs(eta), E + modulus(C), p, factor(rate, deps * deps, dt), Y)
+    de_p = copysign(dp, eta)
+    history[at] = p + dp
+    move_back_stress(C, de_p, history, at, stride)
+    return trial - E * de_p
