@@ -32,7 +32,7 @@ def test_a_planted_fault_is_1(ball, vm_process, fault):
     deck = path.read_text()
     for name, value in planted(CASE, fault).deck_parameters().items():
         deck, found = re.subn(
-            rf"(?m)\bR{name:<{WIDTH - 1}}.{{1,{WIDTH}}}", f"R{name:<{WIDTH - 1}}{in_field(value)}", deck
+            rf"(?<![A-Z])R{name:<{WIDTH - 1}}.{{1,{WIDTH}}}", f"R{name:<{WIDTH - 1}}{in_field(value)}", deck
         )
         assert found == 1, name
     path.write_text(deck)
