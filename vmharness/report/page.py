@@ -50,7 +50,7 @@ class PlantedFault:
     """A declared fault, and how far theory says that it moves each result that must fail."""
 
     fault: Fault
-    moves: Mapping[str, Move | None]  # by key; None where theory has no value for the faulty data
+    moves: Mapping[str, Move | None]  # by key; None where theory cannot say
 
 
 @dataclass(frozen=True)
