@@ -25,8 +25,9 @@ def planted(case: Case, fault: Fault) -> Case:
 def moves(case: Case, fault: Fault) -> Mapping[str, Move | None]:
     """By key of each result that must fail: the target with the faulty data, against the sound one.
 
-    None where the fault also moves the time or level at which the theory is read: the gate reads the faulty run where
-    the sound theory says, which targets alone cannot tell. Raises CaseError where no parameter of the deck follows from the data, or theory has no value for them.
+    None where the fault also moves the time or level at which theory is read: the gate reads the faulty run where the
+    sound theory says, which targets alone cannot tell. Raises CaseError where no parameter of the deck follows from
+    the data, or theory has no value for them.
     """
     faulty = case.with_given(_data(case, fault))
     return {key: _move(case, faulty, key) for key in fault.must_fail}
