@@ -56,7 +56,7 @@ class Model:
 
     def row(self, entry: Entry, name: str, nid: int, index: int | None = None) -> int:
         """The row of node `nid`; raises DeckError naming the card and field that refer to it."""
-        place = min(np.searchsorted(self.ids, nid, sorter=self.order), self.ids.size - 1)
+        place = min(int(np.searchsorted(self.ids, nid, sorter=self.order)), self.ids.size - 1)
         row = int(self.order[place])
         if self.ids[row] != nid:
             raise entry.error(name, f"no *NODE {nid}", index)
