@@ -69,6 +69,7 @@ def chart(rates: dict[str, float], by_size: list[tuple[int, float, float]]) -> F
         names, [rates[n] for n in names], color=["0.6" if n == PLAIN_C else "C0" for n in names]
     )
     bars.bar_label(drawn, fmt="%.1f", padding=6)
+    bars.margins(x=0.08)
     wanted = [(WANTED[n], i) for i, n in enumerate(names) if n in WANTED]
     bars.plot(*zip(*wanted, strict=True), "|", color="C3", markersize=16, markeredgewidth=2, label="wanted")
     bars.set_xlabel("million element-cycles per second, one core, whole cycle")

@@ -34,7 +34,7 @@ class Part:
 
     def column(self, field: str, absent: float = 0.0) -> NDArray[np.float64]:
         """A field of the elements (ne,), `absent` in tables that do not have it."""
-        column = np.full(self.eid.size, absent)
+        column = np.full(self.eid.size, absent, float)
         for number, table in enumerate(self.tables):
             if field in table.values:
                 chosen = self.table == number
