@@ -36,9 +36,11 @@ def _kinetic(
 ) -> float:
     twice = 0.0
     for i in range(v.shape[0]):
+        moving = turning = 0.0  # summed by node: a sum over all waits for each of its terms
         for j in range(3):
-            twice += mass[i] * (v[i, j] + half * a[i, j]) ** 2
-            twice += inertia[i] * (omega[i, j] + half * alpha[i, j]) ** 2
+            moving += (v[i, j] + half * a[i, j]) ** 2
+            turning += (omega[i, j] + half * alpha[i, j]) ** 2
+        twice += mass[i] * moving + inertia[i] * turning
     return 0.5 * twice
 
 

@@ -56,10 +56,11 @@ class Model:
 
     def row(self, entry: Entry, name: str, nid: int, index: int | None = None) -> int:
         """The row of node `nid`; raises DeckError naming the card and field that refer to it."""
-        rows = np.flatnonzero(self.ids == nid)
-        if not rows.size:
+        place = min(int(np.searchsorted(self.ids, nid, sorter=self.order)), self.ids.size - 1)
+        row = int(self.order[place])
+        if self.ids[row] != nid:
             raise entry.error(name, f"no *NODE {nid}", index)
-        return int(rows[0])
+        return row
 
     def add_mass(self, rows: NDArray[np.intp], mass: Array, inertia: Array | float = 0.0) -> None:
         """Lump `mass` (m,) and `inertia` onto nodes; a row may come several times."""

@@ -34,8 +34,12 @@ class Part:
 
     def column(self, field: str, absent: float = 0.0) -> NDArray[np.float64]:
         """A field of the elements (ne,), `absent` in tables that do not have it."""
-        columns = [table.values.get(field, np.full(table.eid.size, absent)) for table in self.tables]
-        return np.array([columns[t][r] for t, r in zip(self.table, self.row, strict=True)], float)
+        column = np.full(self.eid.size, absent, float)
+        for number, table in enumerate(self.tables):
+            if field in table.values:
+                chosen = self.table == number
+                column[chosen] = table.values[field][self.row[chosen]]
+        return column
 
 
 def parts(deck: Deck, model: Model, elements: Sequence[Keyword], sections: Keyword) -> Iterator[Part]:
