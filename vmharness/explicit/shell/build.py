@@ -14,8 +14,8 @@ from vmharness.explicit.shells import thickness
 ELFORM = 2
 
 
-def add_part(deck: Deck, model: Model, part: Part, shells: Callable[..., Shells]) -> None:
-    """Add the force that `shells` makes of a part, and its lumped mass."""
+def add_part(deck: Deck, model: Model, part: Part, name: str, shells: Callable[..., Shells]) -> None:
+    """Add the force that `shells` makes of a part, by the `name` of what they are, and its lumped mass."""
     material, section, timestep = part.material, part.section, deck.first(CONTROL_TIMESTEP)
     control = deck.first(CONTROL_SHELL)
     if section.elform != ELFORM:
@@ -24,7 +24,7 @@ def add_part(deck: Deck, model: Model, part: Part, shells: Callable[..., Shells]
     law = law_of(material, "plane_stress", part.part)
     try:
         block = shells(
-            name=f"shells of part {part.pid}",
+            name=f"{name} of part {part.pid}",
             nodes=part.nodes,
             x=model.x0,
             thickness=t,

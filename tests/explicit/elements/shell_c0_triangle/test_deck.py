@@ -15,7 +15,7 @@ STEEL = "*PART\np\n2,1,2\n*MAT_PLASTIC_KINEMATIC\n2,1e-4,3.0,0.3,1e-6\n\n"
 
 
 def triangles(model):
-    return [force for force in model.forces if force.name.startswith("shells") and force.nodes.shape[1] == 3]
+    return [force for force in model.forces if force.name.startswith("triangles")]
 
 
 def test_a_part_of_both_makes_two_forces(wall_and):
@@ -38,6 +38,18 @@ def test_faces_repeat_the_third_corner(deck):
     model = build(read)
     assert model.ids[shell_faces(read, model)].tolist() == [[5, 6, 7, 7], [7, 8, 5, 5], [5, 6, 8, 8]]
     assert element(model, "shell", 4, "thickness")() == pytest.approx(0.3)  # of its three nodes
+
+
+def test_mass_scaling_takes_triangles_too(wall_and):
+    """DT2MS = -1: no element steps below TSSFAC |DT2MS| = 0.9; the triangles' mass grows as their step does, squared."""
+    free = wall_and(SHEET + HALVES.format(pid=1))
+    natural = triangles(free)[0].steps(free.x0).min()
+    model = wall_and("*CONTROL_TIMESTEP\n,0.9,,,-1.0,,,1\n" + SHEET + HALVES.format(pid=1))
+    (block,) = triangles(model)
+    block.add(model.state)
+    assert block.stable_step() == pytest.approx(1.0)
+    assert model.state.mass[4:].sum() == pytest.approx(1e-4 * 0.1 / natural**2)
+    assert {"Mass added to shells of part 1", "Mass added to triangles of part 1"} <= model.facts.keys()
 
 
 @pytest.mark.parametrize("esort", [0, 1])

@@ -57,7 +57,7 @@ def test_rotations_never_limit_the_step(bench, shape, t, nu):
         assert membrane == pytest.approx(2 / np.sqrt(4.5 * (1 + nu)), rel=1e-6)
 
 
-@pytest.mark.parametrize(("cells", "limit"), [((1, 1), 0.9), ((3, 3), 0.9)])
+@pytest.mark.parametrize(("cells", "limit"), [((1, 1), 0.94), ((3, 3), 0.97)])
 def test_a_free_sheet_is_stable_beyond_the_usual_factor(bench, cells, limit):
     x, nodes = bench.sheet(*cells, 1.0, 1.0)
     assert true_limit(bench, x, nodes, 0.05, range(5)) > limit

@@ -18,7 +18,7 @@ DEFAULT = 2  # hourglass type where IHQ is 0
 def build(deck: Deck, model: Model) -> None:
     """Add a force and the lumped mass for each part that has such shells."""
     for part in shell_parts(deck, model, corners=4):
-        add_part(deck, model, part, partial(_shells, deck, part.part))
+        add_part(deck, model, part, "shells", partial(_shells, deck, part.part))
 
 
 def _shells(deck: Deck, part: Entry, **given: Any) -> BelytschkoTsay:

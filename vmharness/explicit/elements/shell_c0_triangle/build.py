@@ -10,4 +10,4 @@ from vmharness.explicit.shells import shell_parts
 def build(deck: Deck, model: Model) -> None:
     """Add a force and the lumped mass for each part that has such shells."""
     for part in shell_parts(deck, model, corners=3):
-        add_part(deck, model, part, C0Triangle)
+        add_part(deck, model, part, "triangles", C0Triangle)
