@@ -110,7 +110,10 @@ def test_work_of_a_ramped_load_is_the_kinetic_energy_it_gives(wall_and):
             r"\*PART: MID = 8: no .*MAT_.* with MID = 8; defined: 1",
         ),
         ("*ELEMENT_SHELL\n9,9,5,6,7,8\n", r"\*ELEMENT_SHELL: PID = .*9.*: no \*PART with PID = 9"),
-        ("*ELEMENT_SHELL\n9,1,5,6,7,7\n", r"\*ELEMENT_SHELL: N4 = 7: a triangle; only quadrilaterals"),
+        (
+            "*ELEMENT_SHELL\n9,1,5,6,6,7\n",
+            r"\*ELEMENT_SHELL: N1 = 5: has a node twice; a triangle repeats its third",
+        ),
         (
             "*SECTION_SHELL\n3,16\n0.1\n*PART\np\n9,3,1\n*ELEMENT_SHELL\n9,9,5,6,7,8\n",
             r"\*SECTION_SHELL: ELFORM = 16: not implemented; supported: 2 \(Belytschko-Tsay\)",

@@ -22,7 +22,7 @@ from vmharness.explicit.loads.body import BodyLoad
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model import PARTS, Model, build
 from vmharness.explicit.probe import Probe, ProbeError
-from vmharness.explicit.shells import shell_parts
+from vmharness.explicit.shells import shell_faces
 from vmharness.history import History
 from vmharness.result import Solution, View
 
@@ -126,7 +126,6 @@ def _facts(model: Model, history: History) -> dict[str, str]:
 
 
 def _view(deck: Deck, model: Model) -> View:
-    shells = [part.nodes for part in shell_parts(deck, model)]
     beams = [
         np.column_stack([model.find(table, name, getattr(table, name)) for name in table.keyword.corners])
         for table in deck.all(ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION)
@@ -144,7 +143,7 @@ def _view(deck: Deck, model: Model) -> View:
     return View(
         ids=model.ids,
         x=model.x0,
-        shells=np.concatenate(shells) if shells else np.zeros((0, 4), np.intp),
+        shells=shell_faces(deck, model),
         beams=np.concatenate([*beams, np.zeros((0, 2), np.intp)]),
         discrete=_between_nodes(discrete),
         masses=np.concatenate(masses) if masses else np.zeros(0, np.intp),

@@ -1,7 +1,7 @@
 """Parts of the deck: elements of one kind with their section and material."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +31,11 @@ class Part:
     def pid(self) -> int:
         """The part's number."""
         return int(self.part.pid)
+
+    def only(self, chosen: NDArray[np.bool_], corners: int) -> "Part":
+        """The `chosen` (ne,) of its elements, with the first of their corners."""
+        kept = {name: getattr(self, name)[chosen] for name in ("eid", "table", "row")}
+        return replace(self, nodes=self.nodes[chosen, :corners], **kept)
 
     def column(self, field: str, absent: float = 0.0) -> NDArray[np.float64]:
         """A field of the elements (ne,), `absent` in tables that do not have it."""

@@ -16,6 +16,8 @@ from vmharness.explicit.state import Array
 
 Index = NDArray[np.intp]
 
+QUADRILATERALS = "only shells of four nodes are supported in contact"
+
 
 @dataclass(frozen=True)
 class Segments:
@@ -55,10 +57,16 @@ def penalty(part: Part, model: Model) -> Array:
     return np.asarray(bulk * area / diagonal)
 
 
-def penalty_at_nodes(deck: Deck, model: Model, tracked: Index) -> Array:
-    """The largest K A / d (nt,) of the shells at each tracked node; infinite where it has none."""
+def penalty_at_nodes(deck: Deck, model: Model, entry: Entry, field: str, tracked: Index) -> Array:
+    """The largest K A / d (nt,) of the shells at each tracked node; infinite where it has none.
+
+    Raises DeckError at `field` of the contact `entry` for a node of a triangle.
+    """
+    for part in shell_parts(deck, model, corners=3):
+        for row in tracked[np.isin(tracked, part.nodes)]:
+            raise entry.error(field, f"node {model.ids[row]} is one of a triangle; {QUADRILATERALS}")
     largest = np.zeros(model.ids.size)
-    for part in shell_parts(deck, model):
+    for part in shell_parts(deck, model, corners=4):
         np.maximum.at(largest, part.nodes, penalty(part, model)[:, None])
     return np.where(largest[tracked] > 0.0, largest[tracked], np.inf)
 
@@ -70,7 +78,10 @@ def _chosen(deck: Deck, model: Model, entry: Entry, field: str, kind: int) -> li
         pids = {number}
     else:
         pids = part_set(deck, entry, field)
-    parts = [part for part in shell_parts(deck, model) if part.pid in pids]
+    for part in shell_parts(deck, model, corners=3):
+        if part.pid in pids:
+            raise entry.error(field, f"part {part.pid} has triangles; {QUADRILATERALS}")
+    parts = [part for part in shell_parts(deck, model, corners=4) if part.pid in pids]
     if not parts:
         raise entry.error(field, "the surface has no shells; only shells are supported")
     return parts
@@ -79,7 +90,7 @@ def _chosen(deck: Deck, model: Model, entry: Entry, field: str, kind: int) -> li
 def _segment_set(deck: Deck, model: Model, entry: Entry, field: str) -> Segments:
     """Each segment takes its stiffness from the shell that has the same four nodes."""
     known: dict[frozenset[int], float] = {}
-    for part in shell_parts(deck, model):
+    for part in shell_parts(deck, model, corners=4):
         for nodes, stiffness in zip(part.nodes, penalty(part, model), strict=True):
             known[frozenset(nodes.tolist())] = float(stiffness)
     found = deck.find(SET_SEGMENT, sid=getattr(entry, field), referred_by=(entry, field))
@@ -89,7 +100,7 @@ def _segment_set(deck: Deck, model: Model, entry: Entry, field: str) -> Segments
             model.row(found, name, getattr(found, name)[row], row) for name in ("n1", "n2", "n3", "n4")
         ]
         if frozenset(corners) not in known:
-            raise found.error("n1", "no shell has the nodes of this segment; only shells are supported", row)
+            raise found.error("n1", f"no shell has the nodes of this segment; {QUADRILATERALS}", row)
         nodes.append(corners)
         stiffness.append(known[frozenset(corners)])
     return Segments(np.array(nodes, np.intp), np.array(stiffness))

@@ -8,7 +8,7 @@ CONTROL_SHELL = Keyword(
     "CONTROL_SHELL",
     Card(
         wrpang=real(20.0),  # angle of a warning
-        esort=only(0),
+        esort=integer(0, choices=(0, 1)),  # 1 makes C0 triangles of degenerate shells, as is done here always
         irnxx=integer(-1, choices=(-2, -1, 0)),  # fibre directions, which ELFORM 2 has none of
         istupd=integer(0, choices=(0, 1)),
         theory=only(2, zero_is_default=True),

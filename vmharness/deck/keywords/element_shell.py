@@ -1,4 +1,4 @@
-"""*ELEMENT_SHELL: shells of four nodes; a triangle repeats its third."""
+"""*ELEMENT_SHELL: shells of four nodes; a triangle repeats its third as N4, or leaves N4 out."""
 
 from vmharness.deck.card import Card
 from vmharness.deck.field import Field, integer, only, real
@@ -7,7 +7,7 @@ from vmharness.deck.keyword import Keyword
 ID = integer(width=8, above=0)
 MIDSIDE_NODES: dict[str, Field] = {f"n{i}": only(0, width=8) for i in range(5, 9)}
 CORNERS = ("n1", "n2", "n3", "n4")
-NODES: dict[str, Field] = dict.fromkeys(CORNERS, ID)
+NODES: dict[str, Field] = {**dict.fromkeys(CORNERS[:3], ID), "n4": integer(0, width=8, at_least=0)}
 CONNECTIVITY = Card({"eid": ID, "pid": ID, **NODES, **MIDSIDE_NODES})
 
 ELEMENT_SHELL = Keyword(

@@ -67,7 +67,7 @@ def _contact(deck: Deck, model: Model, entry: Entry, number: int) -> "NodesToSur
     tracked = nodes_of_surface(deck, model, entry, "surfa", entry.surfatyp)
     segments = segments_of_surface(deck, model, entry, "surfb", entry.surfbtyp)
     stiffness = slsfac * entry.sfsb * segments.penalty
-    nodal = slsfac * entry.sfsa * penalty_at_nodes(deck, model, tracked)
+    nodal = slsfac * entry.sfsa * penalty_at_nodes(deck, model, entry, "surfa", tracked)
     if orien == 2 or (orien == 1 and entry.surfbtyp != 0):
         face_toward(segments.nodes, model.state.x, tracked)
     contact = NodesToSurface(number, tracked, segments.nodes, stiffness, nodal)

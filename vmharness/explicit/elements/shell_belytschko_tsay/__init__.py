@@ -8,12 +8,12 @@ Belytschko-Lin-Tsay shell.
     rates.py      strain and hourglass increments, on the geometry at mid-step
     forces.py     nodal forces and moments, on the geometry at the end of the step
     hourglass.py  moduli of the viscous and the stiffness form
-    thickness.py  that follows the strain through it (ISTUPD)
-    mass.py       lumped mass and rotary inertia
+    mass.py       area, lumped mass and rotary inertia
     length.py     characteristic length of the stable step
-    step.py       one step of many elements; lanes.py: the rows of its buffer
+    step.py       the stages of a step of many elements; lanes.py: their corners in its buffer
     part.py       the shells of a part as a force; build.py: from the deck
 
+What it shares with the triangle is in explicit/shell: the law at points through the thickness, the order of a step.
 It has no stiffness against warping and none about its normal (drilling), and it is exact for a constant membrane strain
 in any shape, for constant curvature in parallelograms only.
 """

@@ -9,11 +9,7 @@ mode that stretches it in all directions (0.877 at nu = 0.3, less than the 0.9 o
 up for that; a shell that has neither needs TSSFAC = 0.8, and the energy balance ends a run that diverges.
 """
 
-from math import sqrt
-
 from vmharness.explicit.elements.shell_belytschko_tsay.frame import Corners
-from vmharness.explicit.lanes import Indices
-from vmharness.explicit.state import Array
 from vmharness.explicit.vector import Vector, cross, dot, inlined, subtract
 
 
@@ -63,27 +59,4 @@ def by_bar(x: Corners) -> float:
     return max(shortest_side(x), area(x) / longest_side(x))
 
 
-def lengths(x: Array, nodes: Indices, out: Array) -> None:
-    """L_s of each element; `x (n, 3)`, `nodes (ne, 4)`, `out (ne,)`."""
-    for e in range(len(nodes)):
-        i, j, k, m = nodes[e]
-        out[e] = length((
-            (x[i, 0], x[i, 1], x[i, 2]),
-            (x[j, 0], x[j, 1], x[j, 2]),
-            (x[k, 0], x[k, 1], x[k, 2]),
-            (x[m, 0], x[m, 1], x[m, 2]),
-        ))  # fmt: skip
-
-
-length = by_side
 LENGTHS = (by_side, by_diagonal, by_bar)  # by ISDO
-
-
-def wave_speed(stiffness: tuple[float, float], density: float, isdo: int) -> float:
-    """Speed c that goes with the length of ISDO; `stiffness`: E and nu; consistent units.
-
-    >>> round(wave_speed((210.0, 0.3), 7.8e-6, 0), 2)
-    5439.28
-    """
-    E, nu = stiffness
-    return sqrt(E / density) if isdo == 2 else sqrt(E / (density * (1 - nu * nu)))

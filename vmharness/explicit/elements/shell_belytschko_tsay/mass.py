@@ -1,8 +1,13 @@
-"""Lumped mass and rotary inertia of a shell's nodes."""
+"""Area, lumped mass and rotary inertia of a shell's nodes."""
 
 import numpy as np
 
 from vmharness.explicit.state import Array
+
+
+def area(x: Array) -> Array:
+    """A = |r13 x r24| / 2 (ne,) of the corners `x (ne, 4, 3)`."""
+    return np.asarray(0.5 * np.linalg.norm(np.cross(x[:, 0] - x[:, 2], x[:, 1] - x[:, 3]), axis=1))
 
 
 def nodal_mass(x: Array, thickness: Array, density: float, nu: float, shrf: float) -> tuple[Array, Array]:
@@ -20,7 +25,7 @@ def nodal_mass(x: Array, thickness: Array, density: float, nu: float, shrf: floa
 
     `x (ne, 4, 3)`: corners; `thickness (ne,)`; `nu`: Poisson's ratio; `shrf`: shear factor kappa. Consistent units.
     """
-    A = 0.5 * np.linalg.norm(np.cross(x[:, 0] - x[:, 2], x[:, 1] - x[:, 3]), axis=1)
+    A = area(x)
     s = shrf * (1 - nu)
     mass = density * thickness * A / 4
     return mass, mass * np.maximum(thickness**2 / 12, A * max(1 / 8, s / (8 * (1 + abs(nu)) - 4 * s)))

@@ -1,35 +1,23 @@
-"""The shells of one part, as a force."""
+"""Belytschko-Tsay shells of one part, as a force."""
 
-from collections.abc import Callable, Mapping
-from functools import cache
+from collections.abc import Callable
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
-from vmharness.explicit.compiled import specialise
-from vmharness.explicit.elements.shell_belytschko_tsay import step
 from vmharness.explicit.elements.shell_belytschko_tsay.hourglass import Hourglass, moduli
-from vmharness.explicit.elements.shell_belytschko_tsay.lanes import ROWS
-from vmharness.explicit.elements.shell_belytschko_tsay.length import LENGTHS, lengths, wave_speed
-from vmharness.explicit.elements.shell_belytschko_tsay.mass import nodal_mass
-from vmharness.explicit.lanes import LANES, Indices, by_block, by_element
-from vmharness.explicit.state import Array, State
+from vmharness.explicit.elements.shell_belytschko_tsay.lanes import corners
+from vmharness.explicit.elements.shell_belytschko_tsay.length import LENGTHS
+from vmharness.explicit.elements.shell_belytschko_tsay.mass import area, nodal_mass
+from vmharness.explicit.elements.shell_belytschko_tsay.step import force, hourglass_force, strain
+from vmharness.explicit.lanes import Indices, by_element
+from vmharness.explicit.shell.kind import Kind
+from vmharness.explicit.shell.part import Shells
+from vmharness.explicit.state import Array
 
-STRESSES = ("xx", "yy", "xy", "yz", "zx")
+QUADRILATERAL = Kind(area, nodal_mass, corners, LENGTHS, strain, hourglass_force, force)
 
 
-class BelytschkoTsay:
-    """Shells of one part: a force with the energies "internal" and "hourglass".
-
-    `nodes (ne, 4)`: rows of the state's arrays; `x (n, 3)`: initial coordinates; `thickness (ne,)`; `law` and its
-    `constants`, with `history` variables per point: see materials/elastic.py; `channels`: names of some of these;
-    `stiffness`: E and nu for hourglass control and the stable step; `nip`: Gauss points through the thickness, 1 to
-    10; `shrf`: shear factor kappa; `thinning`: the thickness follows the strain through it. Consistent units.
-    Raises ValueError for a shape or an option that the element does not know.
-    """
-
-    kind = "shell"
+class BelytschkoTsay(Shells):
+    """Shells (ne, 4) as in shell/part.py, with `hourglass` control that takes E and nu of `stiffness`."""
 
     def __init__(
         self,
@@ -45,140 +33,16 @@ class BelytschkoTsay:
         shrf: float = 1.0,
         hourglass: Hourglass | None = None,
         isdo: int = 0,
-        thinning: bool = False,
-        history: int = 0,
-        channels: Mapping[str, int] | None = None,
-        eid: NDArray[np.int64] | None = None,
-        pid: int | None = None,
+        **options: Any,
     ) -> None:
-        _check(nodes, x, thickness, nip, isdo)
         control = hourglass or Hourglass()
-        C = moduli(x[nodes], thickness, density, stiffness, shrf, control)
-        elements = len(nodes)
-        self.nodes = nodes
-        self.mass, self.inertia = nodal_mass(x[nodes], thickness, density, stiffness[1], shrf)
-
-        self.name, self.pid = name, pid
-        self.eid = np.arange(1, elements + 1) if eid is None else eid
-        self.elements, self.nip = elements, nip
-        self._channels = dict(channels or {})
-        self._shrf, self._constants = float(shrf), constants
-        self._viscous, self._thinning = control.viscous, thinning
-        self._wave_speed = wave_speed(stiffness, density, isdo)
-        self._length = np.inf
-        self._points = np.stack(np.polynomial.legendre.leggauss(nip), axis=1)
-        self._nodes = by_block(nodes.astype(np.intp))
-        self._section = by_block(np.column_stack([thickness, *C, np.ones(elements)]))
-        self._stress = by_block(np.zeros((elements, nip, 5)))
-        self._hourglass = by_block(np.zeros((elements, 5)))
-        self._history = by_block(np.zeros((elements, nip, history)))
-        self._work = np.zeros(ROWS * LANES)
-        self._energy = np.zeros(2)
-        self.energy = {"internal": self._energy[:1], "hourglass": self._energy[1:]}
-        self._step = _compiled(law, isdo)
-        self._lengths = _lengths(isdo)
-
-    def add(self, state: State) -> None:
-        """Add forces and moments at t_n, and the work of the step that led there."""
-        self._length = self._step(
-            state.x,
-            state.v,
-            state.omega,
-            state.dt,
-            self._nodes,
-            self.elements,
-            self._section,
-            self._points,
-            self._shrf,
-            self._thinning,
-            self._constants,
-            self._stress,
-            self._history,
-            self._viscous,
-            self._hourglass,
-            state.f,
-            state.moment,
-            self._energy,
-            self._work,
-        )
-
-    def stable_step(self) -> float:
-        """The shortest L_s / c at the geometry of the last `add`."""
-        return self._length / self._wave_speed
-
-    def steps(self, x: Array) -> Array:
-        """L_s / c (ne,) at coordinates `x` (n, 3) and the material's density."""
-        lengths = np.zeros(self.elements)
-        self._lengths(x, self.nodes, lengths)
-        return lengths / self._wave_speed
-
-    def densify(self, factor: Array) -> None:
-        """Take the densities as `factor` (ne,) times the material's, from before the first step on."""
-        section = by_element(self._section, self.elements).copy()
-        section[:, 4] = np.sqrt(factor)
-        self._section[:] = by_block(section)
-
-    @property
-    def stress(self) -> Array:
-        """Stress (ne, nip, 5) in the elements' frames, from the lowest point up: xx, yy, xy, yz, zx."""
-        return by_element(self._stress, self.elements)
-
-    @stress.setter
-    def stress(self, stress: Array) -> None:
-        self._stress[:] = by_block(stress)
-
-    def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
-        """`xx-stress`, ... of an element (its place in `eid`) in its own frame, at a point counted from the lowest."""
-        stresses = {f"{axes}-stress": (self._stress, row) for row, axes in enumerate(STRESSES)}
-        known = stresses | {name: (self._history, row) for name, row in self._channels.items()}
-        known["thickness"] = (
-            np.broadcast_to(self._section[:, None], (len(self._section), self.nip, self._section.shape[1])),
-            0,
-        )
-        if component not in known:
-            raise ValueError(f"no {component!r} of a shell; there are: {', '.join(known)}")
-        if not 1 <= point <= self.nip:
-            raise ValueError(f"no point {point}; the shell has {self.nip}")
-        table, row = known[component]
-        values, place = table[element // LANES, point - 1], row * LANES + element % LANES
-        return lambda: values[place]
+        super().__init__(
+            QUADRILATERAL, name, nodes, x, thickness, density, law, constants, stiffness, nip, shrf, isdo,
+            moduli=lambda: moduli(x[nodes], thickness, density, stiffness, shrf, control).T,
+            viscous=control.viscous, forces=5, **options,
+        )  # fmt: skip
 
     @property
     def hourglass(self) -> Array:
         """Hourglass forces x, y, z and moments x, y (ne, 5) in the elements' frames."""
         return by_element(self._hourglass, self.elements)
-
-
-@cache
-def _compiled(law: Callable[..., Any], isdo: int) -> Callable[..., float]:
-    """The step for one law and one characteristic length."""
-    stress_at_point = specialise(step.stress_at_point, law=law)
-    force = specialise(step.force, length=LENGTHS[isdo])
-    return specialise(step.step, stress_at_point=stress_at_point, force=force)
-
-
-@cache
-def _lengths(isdo: int) -> Callable[[Array, Indices, Array], None]:
-    return specialise(lengths, length=LENGTHS[isdo])
-
-
-def _check(nodes: Indices, x: Array, thickness: Array, nip: int, isdo: int) -> None:
-    """Refuse what the element cannot do."""
-    if not 1 <= nip <= 10:
-        raise ValueError(f"NIP = {nip}: 1 to 10 points through the thickness are supported")
-    if isdo not in range(len(LENGTHS)):
-        raise ValueError(f"ISDO = {isdo}: 0, 1 and 2 are supported")
-    if not len(nodes):
-        raise ValueError("no shells")
-    sorted_nodes = np.sort(nodes, axis=1)
-    normal = np.cross(x[nodes[:, 0]] - x[nodes[:, 2]], x[nodes[:, 1]] - x[nodes[:, 3]])
-    for wrong, what in (
-        (
-            np.any(sorted_nodes[:, 1:] == sorted_nodes[:, :-1], axis=1),
-            "has a node twice; triangles are not supported",
-        ),
-        (~(np.linalg.norm(normal, axis=1) > 0), "has no area"),
-        (~(thickness > 0), "has no thickness"),
-    ):
-        if np.any(wrong):
-            raise ValueError(f"shell {np.flatnonzero(wrong)[0]} {what}")

@@ -13,12 +13,11 @@ Hourglass rates:
 The terms with h . z take out what a rigid rotation of a warped element does to gamma . v: all thirteen rates vanish
 for any v = v_0 + w x x, omega = w. Forces are the transpose, so they balance, moments included, when warped too.
 
-A step of finite rotation theta has the chord velocity v = w x x_{n-1/2} with |w| = 2 tan(theta/2) / dt: strain,
-curvature and hourglass increments are exactly zero on the mid-step geometry. The nodes' omega is theta / dt, however;
-so v_z,x and v_z,y in the shear are scaled by atan(s)/s = 1 - s^2/3 + O(s^4), s = |w| dt/2, to agree with it.
+In a step of finite rotation v_z,x and v_z,y in the shear are scaled to agree with the nodes' omega: shell/chord.py.
 """
 
 from vmharness.explicit.elements.shell_belytschko_tsay.frame import Corners, frame, hourglass_pattern
+from vmharness.explicit.shell.chord import chord
 from vmharness.explicit.vector import Vector, add, components, inlined, scale, subtract
 
 
@@ -46,9 +45,8 @@ def increments(
     curvature = scale(dt, (w_x[1], -w_y[0], w_y[1] - w_x[0]))
 
     mean = components(triad, scale(0.25, add(add(omega[0], omega[1]), add(omega[2], omega[3]))))
-    spin_z = 0.5 * (v_x[1] - v_y[0])
-    chord = 1 - dt * dt / 12 * (v_y[2] * v_y[2] + v_x[2] * v_x[2] + spin_z * spin_z)  # atan(s)/s
-    shear = scale(dt, (chord * v_y[2] - mean[0], chord * v_x[2] + mean[1], 0.0))
+    turn = chord(v_x, v_y, dt)
+    shear = scale(dt, (turn * v_y[2] - mean[0], turn * v_x[2] + mean[1], 0.0))
 
     v_h = components(triad, hourglass_pattern(v))
     w_h = components(triad, hourglass_pattern(omega))

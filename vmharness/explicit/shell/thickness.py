@@ -7,8 +7,8 @@ moments by its square, since the points move apart too; work is that of the mean
 """
 
 from vmharness.explicit.compiled import kernel
-from vmharness.explicit.elements.shell_belytschko_tsay.lanes import THINNING, WORK, M, N, S
 from vmharness.explicit.lanes import LANES, put, vector
+from vmharness.explicit.shell.rows import THINNING, WORK, M, N, S
 from vmharness.explicit.state import Array
 from vmharness.explicit.vector import scale
 

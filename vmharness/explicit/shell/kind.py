@@ -1,0 +1,46 @@
+"""What a kind of shell has of its own."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from vmharness.explicit.compiled import specialise
+from vmharness.explicit.shell import point, step
+from vmharness.explicit.state import Array
+
+
+@dataclass(frozen=True)
+class Kind:
+    """Geometry, mass and the stages of a step, for elements of `corners (ne, n, 3)`.
+
+    `area(corners)` (ne,); `nodal_mass(corners, thickness, density, nu, shrf)`, mass and inertia (ne,) of each node;
+    `at`: the corners of element e in the buffer; `lengths`: the characteristic lengths of such corners, by ISDO;
+    `strain`, `hourglass_force`, `force`: see shell/step.py.
+    """
+
+    area: Callable[[Array], Array]
+    nodal_mass: Callable[[Array, Array, float, float, float], tuple[Array, Array]]
+    at: Callable[..., Any]
+    lengths: tuple[Callable[..., float], ...]
+    strain: Callable[..., None]
+    hourglass_force: Callable[..., None]
+    force: Callable[..., None]
+
+
+@cache
+def compiled_step(kind: Kind, law: Callable[..., Any], isdo: int) -> Callable[..., float]:
+    """The step for one law and one characteristic length."""
+    return specialise(
+        step.step,
+        strain=kind.strain,
+        stress_at_point=specialise(point.stress_at_point, law=law),
+        hourglass_force=kind.hourglass_force,
+        force=specialise(kind.force, length=kind.lengths[isdo]),
+    )
+
+
+@cache
+def compiled_lengths(kind: Kind, isdo: int) -> Callable[..., None]:
+    """The characteristic lengths of many elements."""
+    return specialise(step.lengths, corners=kind.at, length=kind.lengths[isdo])
