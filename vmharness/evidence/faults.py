@@ -3,6 +3,8 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+import numpy as np
+
 from vmharness.case import Case, CaseError
 from vmharness.case.change import changed_value
 from vmharness.case.format import Fault
@@ -23,7 +25,9 @@ def planted(case: Case, fault: Fault) -> Case:
 
 
 def moves(case: Case, fault: Fault) -> Mapping[str, Move]:
-    """By key of each result that must fail: the target with the faulty data, against the sound one.
+    """By key of each result that must fail: theory with the faulty data, against the sound one.
+
+    A reading at a time that the case sets stays at the sound time, on the theory of its channel over time.
 
     Raises CaseError where no parameter of the deck follows from the data, or theory has no value for them.
     """
@@ -59,6 +63,14 @@ def _data(case: Case, fault: Fault) -> dict[str, float]:
 
 def _move(case: Case, faulty: Case, key: str) -> Move:
     target, allowed = case.target(key), allowed_difference(case, key)
-    change = faulty.target(key) - target
+    change = _change(case, faulty, key)
     share = abs(change) / allowed if allowed else float("inf") if change else 0.0
     return Move(100.0 * change / target if target else None, share)
+
+
+def _change(case: Case, faulty: Case, key: str) -> float:
+    result = next(result for result in case.file.results if result.key == key)
+    if case.file.events[result.event].at is None or result.channel not in case.file.curves:
+        return faulty.target(key) - case.target(key)
+    time = np.array([case.evaluate(f"at {result.event}")])
+    return float((faulty.curve(result.channel, time) - case.curve(result.channel, time))[0])
