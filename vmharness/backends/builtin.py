@@ -12,13 +12,17 @@ from vmharness.case import Case
 from vmharness.case.format import Channel
 from vmharness.deck import Deck, DeckError, read, vocabulary, write_long
 from vmharness.deck.keywords.element_beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
+from vmharness.deck.keywords.element_solid import ELEMENT_SOLID
 from vmharness.explicit import probe
+from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.constraints.spc import Supports
 from vmharness.explicit.contacts.nodes_to_surface import NodesToSurface
 from vmharness.explicit.elements.discrete.part import Discrete
 from vmharness.explicit.elements.mass import ELEMENT_MASS
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.loads.body import BodyLoad
+from vmharness.explicit.loads.node import NodalLoad
+from vmharness.explicit.loads.segment import Pressure
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model import PARTS, Model, build
 from vmharness.explicit.probe import Probe, ProbeError
@@ -27,6 +31,8 @@ from vmharness.history import History
 from vmharness.result import Solution, View
 
 SOLVER = f"vmharness {__version__}"
+Array = NDArray[np.float64]
+
 FOLDERS = (
     "vmharness.deck.keywords",
     "vmharness.explicit.materials",
@@ -131,6 +137,10 @@ def _view(deck: Deck, model: Model) -> View:
         np.column_stack([model.find(table, name, getattr(table, name)) for name in table.keyword.corners])
         for table in deck.all(ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION)
     ]
+    solids = [
+        np.column_stack([model.find(table, name, getattr(table, name)) for name in table.keyword.corners])
+        for table in deck.all(ELEMENT_SOLID)
+    ]
     discrete = [force.nodes for force in model.forces if isinstance(force, Discrete)]
     masses = [model.find(table, "nid", table.nid) for table in deck.all(ELEMENT_MASS)]
     fixed = np.zeros(model.ids.size, bool)
@@ -145,6 +155,7 @@ def _view(deck: Deck, model: Model) -> View:
         ids=model.ids,
         x=model.x0,
         shells=np.concatenate(shells) if shells else np.zeros((0, 4), np.intp),
+        solids=np.concatenate([*solids, np.zeros((0, 8), np.intp)]),
         beams=np.concatenate([*beams, np.zeros((0, 2), np.intp)]),
         discrete=_between_nodes(discrete),
         masses=np.concatenate(masses) if masses else np.zeros(0, np.intp),
@@ -153,7 +164,33 @@ def _view(deck: Deck, model: Model) -> View:
         contacts=tuple(
             (force.tracked, force.segments) for force in model.forces if isinstance(force, NodesToSurface)
         ),
+        arrows=_arrows(model),
     )
+
+
+def _arrows(model: Model) -> dict[str, tuple[Array, Array]]:
+    """Where forces, pressures and prescribed motions act, and which way at their largest."""
+    found: dict[str, list[tuple[Array, Array]]] = {"force": [], "pressure": [], "motion": []}
+    for force in model.forces:
+        if isinstance(force, NodalLoad):
+            moves = force.dofs < 3
+            value = np.sign(force.scale * force.curve.largest())[moves, None]
+            found["force"].append((model.x0[force.nodes[moves]], value * np.eye(3)[force.dofs[moves]]))
+        elif isinstance(force, Pressure):
+            corners = model.x0[force.faces]
+            normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+            value = -np.sign(force.factor * force.curve.largest()) / np.linalg.norm(normal, axis=1)
+            found["pressure"].append((corners.mean(axis=1), value[:, None] * normal))
+    for motion in model.constraints:
+        if isinstance(motion, PrescribedMotion) and motion.dof < 3:
+            value = np.sign(motion.sf * motion.curve.largest())
+            along = np.tile(value * np.eye(3)[motion.dof], (motion.nodes.size, 1))
+            found["motion"].append((model.x0[motion.nodes], along))
+    return {
+        what: (np.concatenate([at for at, _ in arrows]), np.concatenate([along for _, along in arrows]))
+        for what, arrows in found.items()
+        if arrows
+    }
 
 
 def _between_nodes(discrete: list[NDArray[np.intp]]) -> NDArray[np.intp]:
