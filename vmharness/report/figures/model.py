@@ -148,7 +148,7 @@ def _numbers(axes: "Axes", view: View, at: Array) -> None:
 
 
 def _arrows(axes: "Axes", view: View, at: Array, size: float) -> None:
-    """Forces and motions leave their node, or end there if they push inward, as pressure does. Of many, some are drawn."""
+    """Forces and motions leave their node, or end there if they push inward, as pressure does; some of many."""
     middle = at.mean(axis=0)
     for what, (places, directions) in view.arrows.items():
         stride = _stride(len(places), MANY)
