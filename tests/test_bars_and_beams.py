@@ -10,7 +10,8 @@ from vmharness.compare import Verdict
 from vmharness.evidence.faults import planted
 from vmharness.run import run
 
-CASES = {name: read(Path(__file__).parents[1] / "cases" / name) for name in ("VM-084", "D-37", "D-51-beam")}
+NAMES = ("VM-084", "D-37", "D-51-beam", "D-51-shell", "D-51-solid")
+CASES = {name: read(Path(__file__).parents[1] / "cases" / name) for name in NAMES}
 FAULTS = [(name, fault) for name, case in CASES.items() for fault in case.file.faults]
 
 

@@ -13,7 +13,7 @@ LAYERS = [
     {"formula", "history", "events", "compare", "deck"},
     {"explicit", "case"},
     {"result"},
-    {"measure"},
+    {"measure", "view"},
     {"evidence"},
     {"backends"},
     {"run"},

@@ -67,12 +67,16 @@ class View:
     ids: NDArray[np.int64]  # (n,)
     x: Array  # (n, 3)
     shells: NDArray[np.intp]  # (ne, 4)
+    solids: NDArray[np.intp]  # (ne, 8)
     beams: NDArray[np.intp]  # (ne, 2) beams and trusses
     discrete: NDArray[np.intp]  # (ne, 2) springs and dampers between nodes
     masses: NDArray[np.intp]  # rows with an *ELEMENT_MASS
     supports: NDArray[np.intp]  # rows with a fixed degree of freedom
     gravity: Array  # (3,) acceleration that body loads give at t = 0
     contacts: tuple[tuple[NDArray[np.intp], NDArray[np.intp]], ...]  # tracked rows (nt,), segments (ns, 4)
+    arrows: Mapping[str, tuple[Array, Array]] = field(
+        default_factory=dict
+    )  # by what acts: places, directions (n, 3)
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import msgspec
+import numpy as np
 import pytest
 
 from vmharness.case import read
@@ -52,3 +53,14 @@ def test_a_target_of_zero_moves_by_no_percentage(tmp_path):
     case = read(tmp_path)
     move = moves(case, fault(case, 3, must_fail=["z_impact"]))["z_impact"]
     assert (move.percent, move.tolerances) == (None, 0.0)
+
+
+def test_a_reading_at_a_given_time_moves_with_the_theory_of_its_channel():
+    case = read(BALL.parent / "D-51-beam")
+    denser = next(fault for fault in case.file.faults if "rho" in fault.change)
+    moved = moves(case, denser)["w_1"]
+    case_denser = case.with_given({"rho": 1.02 * case.given["rho"]})
+    time = np.array([case.theory["t_1"]])
+    expected = case_denser.curve("w", time)[0] / case.theory["w_1"] - 1.0
+    assert moved.percent == pytest.approx(100.0 * expected, rel=1e-6)
+    assert moved.percent < -1.0  # a slower beam, at the same time

@@ -135,3 +135,10 @@ def test_equation_does_not_repeat_itself() -> None:
     assert equation("h", Formula("2"), "2", Unit("in")) == r"h = 2 \thinspace \mathrm{in}"
     assert equation("x", Formula("2*h")) == r"x = 2 \thinspace h"
     assert equation("x", Formula("2*h"), "4", Unit("1")) == r"x = 2 \thinspace h = 4"
+
+
+def test_a_long_equation_is_not_repeated_with_values() -> None:
+    long = " + ".join(["a*b"] * 40)
+    line = equation("x", Formula(long), "240", values={"a": "2", "b": "3"})
+    assert r"2 \cdot 3" not in line
+    assert line.endswith("= 240")

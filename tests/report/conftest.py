@@ -51,6 +51,7 @@ def view():
         ids=np.arange(1, 6),
         x=x,
         shells=corners[None, :],
+        solids=np.zeros((0, 8), np.intp),
         beams=np.zeros((0, 2), np.intp),
         discrete=np.zeros((0, 2), np.intp),
         masses=np.array([4]),

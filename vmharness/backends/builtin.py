@@ -11,22 +11,18 @@ from vmharness import __version__
 from vmharness.case import Case
 from vmharness.case.format import Channel
 from vmharness.deck import Deck, DeckError, read, vocabulary, write_long
-from vmharness.deck.keywords.element_beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
 from vmharness.explicit import probe
-from vmharness.explicit.constraints.spc import Supports
-from vmharness.explicit.contacts.nodes_to_surface import NodesToSurface
-from vmharness.explicit.elements.discrete.part import Discrete
-from vmharness.explicit.elements.mass import ELEMENT_MASS
 from vmharness.explicit.error import SolverError
-from vmharness.explicit.loads.body import BodyLoad
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model import PARTS, Model, build
 from vmharness.explicit.probe import Probe, ProbeError
-from vmharness.explicit.shells import shell_faces
 from vmharness.history import History
-from vmharness.result import Solution, View
+from vmharness.result import Solution
+from vmharness.view import view_of
 
 SOLVER = f"vmharness {__version__}"
+Array = NDArray[np.float64]
+
 FOLDERS = (
     "vmharness.deck.keywords",
     "vmharness.explicit.materials",
@@ -54,7 +50,7 @@ def solve(case: Case, progress: Callable[[float], None] | None = None) -> Soluti
         probes = {name: probe_of(model, channel) for name, channel in case.file.channels.items()}
     except (DeckError, ProbeError) as error:
         return Solution(SOLVER, None, str(error))
-    view = _view(deck, model)  # before the nodes move
+    view = view_of(deck, model)  # before the nodes move
     history, failure, seconds = record(model, probes, progress)
     return Solution(
         solver=SOLVER,
@@ -123,39 +119,3 @@ def _facts(model: Model, history: History) -> dict[str, str]:
     if steps_taken.size:
         facts["Time step"] = f"{steps_taken.min():.6g} to {steps_taken.max():.6g}, {model.controlling()}"
     return facts | model.facts
-
-
-def _view(deck: Deck, model: Model) -> View:
-    beams = [
-        np.column_stack([model.find(table, name, getattr(table, name)) for name in table.keyword.corners])
-        for table in deck.all(ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION)
-    ]
-    discrete = [force.nodes for force in model.forces if isinstance(force, Discrete)]
-    masses = [model.find(table, "nid", table.nid) for table in deck.all(ELEMENT_MASS)]
-    fixed = np.zeros(model.ids.size, bool)
-    for constraint in model.constraints:
-        if isinstance(constraint, Supports):
-            fixed |= constraint.fixed.any(axis=1)
-    gravity = np.zeros(3)
-    for force in model.forces:
-        if isinstance(force, BodyLoad):
-            gravity[force.axis] += force.acceleration
-    return View(
-        ids=model.ids,
-        x=model.x0,
-        shells=shell_faces(deck, model),
-        beams=np.concatenate([*beams, np.zeros((0, 2), np.intp)]),
-        discrete=_between_nodes(discrete),
-        masses=np.concatenate(masses) if masses else np.zeros(0, np.intp),
-        supports=np.flatnonzero(fixed),
-        gravity=gravity,
-        contacts=tuple(
-            (force.tracked, force.segments) for force in model.forces if isinstance(force, NodesToSurface)
-        ),
-    )
-
-
-def _between_nodes(discrete: list[NDArray[np.intp]]) -> NDArray[np.intp]:
-    """The nodes (ne, 2) of all springs and dampers but those to the ground."""
-    nodes = np.concatenate([*discrete, np.zeros((0, 2), np.intp)])
-    return nodes[nodes[:, 1] >= 0]

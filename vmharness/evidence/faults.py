@@ -3,6 +3,8 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+import numpy as np
+
 from vmharness.case import Case, CaseError
 from vmharness.case.change import changed_value
 from vmharness.case.format import Fault
@@ -23,11 +25,11 @@ def planted(case: Case, fault: Fault) -> Case:
 
 
 def moves(case: Case, fault: Fault) -> Mapping[str, Move | None]:
-    """By key of each result that must fail: the target with the faulty data, against the sound one.
+    """By key of each result that must fail: theory with the faulty data, against the sound one.
 
-    None where the fault also moves the time or level at which theory is read: the gate reads the faulty run where the
-    sound theory says, which targets alone cannot tell. Raises CaseError where no parameter of the deck follows from
-    the data, or theory has no value for them.
+    The gate reads the faulty run at the time, or the level, that the sound theory says. Where the fault moves that too,
+    the theory of the channel over time is read there, and the move is None if the case has none. Raises CaseError where
+    no parameter of the deck follows from the data, or theory has no value for them.
     """
     faulty = case.with_given(_data(case, fault))
     return {key: _move(case, faulty, key) for key in fault.must_fail}
@@ -60,11 +62,22 @@ def _data(case: Case, fault: Fault) -> dict[str, float]:
 
 
 def _move(case: Case, faulty: Case, key: str) -> Move | None:
-    event = case.result(key).event
-    for place in (f"at {event}", f"level {event}"):
-        if place in case.formulas and case.evaluate(place) != faulty.evaluate(place):
-            return None
+    change = _change(case, faulty, key)
+    if change is None:
+        return None
     target, allowed = case.target(key), allowed_difference(case, key)
-    change = faulty.target(key) - target
     share = abs(change) / allowed if allowed else float("inf") if change else 0.0
     return Move(100.0 * change / target if target else None, share)
+
+
+def _change(case: Case, faulty: Case, key: str) -> float | None:
+    result = case.result(key)
+    at, level = f"at {result.event}", f"level {result.event}"
+    if level in case.formulas and case.evaluate(level) != faulty.evaluate(level):
+        return None
+    if at not in case.formulas or case.evaluate(at) == faulty.evaluate(at):
+        return faulty.target(key) - case.target(key)
+    if result.channel not in case.file.curves:
+        return None
+    time = np.array([case.evaluate(at)])
+    return float((faulty.curve(result.channel, time) - case.curve(result.channel, time))[0])

@@ -33,6 +33,10 @@ class Curve:
         end = min(end, float(self.abscissa[-1]))
         return (self(end) - self(start)) / (end - start)
 
+    def largest(self) -> float:
+        """The ordinate that is farthest from zero, the first of such."""
+        return float(self.ordinate[np.argmax(np.abs(self.ordinate))])
+
     def slope(self) -> float:
         """The slope with which the curve begins."""
         return 0.0 if self.constant else self.rate(float(self.abscissa[0]), float(self.abscissa[1]))

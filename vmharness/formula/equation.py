@@ -12,6 +12,8 @@ from vmharness.formula.unit_typeset import unit_in
 
 NOTATIONS: Mapping[str, Notation] = {"latex": latex, "mathml": mathml}
 
+LONG = 150  # characters of a formula
+
 
 def equation(
     name: str,
@@ -26,7 +28,7 @@ def equation(
     r"""One line of theory, as LaTeX without its dollars or as a whole <math> element.
 
     `value` is the text of the result, `values` those of the names, for a step with numbers in their places.
-    A step that repeats the one before it is left out.
+    A step that repeats the one before it is left out, and the values of a formula too long to stand on a line twice.
 
     >>> print(equation("t_1", Formula("sqrt(2*h/g)"), "0.072", Unit("s"), values={"h": "1", "g": "386"}))
     t_{1} = \sqrt{\frac{2 \thinspace h}{g}} = \sqrt{\frac{2 \cdot 1}{386}} = 0.072 \thinspace \mathrm{s}
@@ -35,8 +37,9 @@ def equation(
     steps = [
         replaced(Name(name), None, symbols),
         replaced(tree, None, symbols),
-        replaced(tree, values, symbols),
     ]
+    if len(formula.text) <= LONG:
+        steps.append(replaced(tree, values, symbols))
     if value:
         steps.append(number(value))
     new = [typeset(step, to) for before, step in zip([None, *steps], steps, strict=False) if step != before]

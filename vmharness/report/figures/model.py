@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from vmharness.report.figures import svg
 from vmharness.report.figures.characters import unit
+from vmharness.report.figures.faces import far_first, outer
 from vmharness.report.figures.key import Entry, key
 from vmharness.report.figures.note import MIDDLE, note
 from vmharness.result import View
@@ -24,14 +25,17 @@ SHELL: dict[str, Any] = {**NO_LINE, "marker": "s", "markersize": 10, "mfc": FACE
 SUPPORT: dict[str, Any] = {**NO_LINE, "marker": TRIANGLE, "markersize": 13, "mfc": "white", "mec": "#3f7d20"}
 BEAM: dict[str, Any] = {"color": EDGE, "linewidth": 2.4}
 DISCRETE: dict[str, Any] = {"color": INK, "linewidth": 1.2}
+ARROW: dict[str, Any] = {"color": LOAD, "linewidth": 1.6}
 CONTACT: dict[str, Any] = {"color": "#7b3294", "linewidth": 1.2, "linestyle": (0, (4, 3))}
 MANY = 30  # nodes: more numbers, or lines of contact, would hide the model
 # Rows are the directions of the drawing, to the right and up: the axes 120 degrees apart, z upright.
 ISOMETRIC = np.array([[np.sqrt(3.0) / 2.0, -np.sqrt(3.0) / 2.0, 0.0], [0.5, 0.5, 1.0]])
 
+VIEWER = np.cross(*ISOMETRIC)  # toward the eye
+
 
 def draw(view: View, case: str, acceleration: str) -> str:
-    """SVG of nodes with their numbers, shells, masses, supports, contact, and body load in the unit `acceleration`."""
+    """SVG of nodes with their numbers, elements, supports, contact, loads, and body load in the unit `acceleration`."""
     from matplotlib.figure import Figure
 
     with svg.style(f"{case}-model"):
@@ -41,11 +45,13 @@ def draw(view: View, case: str, acceleration: str) -> str:
         axes.set_aspect("equal")
         at = view.x @ ISOMETRIC.T  # (n, 2)
         size = float(np.ptp(at, axis=0).max()) or 1.0
-        _shells(axes, view, at)
+        _faces(axes, far_first(outer(view.solids), view.x, VIEWER), at)
+        _faces(axes, view.shells, at)
         _beams(axes, view, at)
         _discrete(axes, view, at)
         _contacts(axes, view, at)
         _nodes(axes, view, at)
+        _arrows(axes, view, at, size)
         _body_load(axes, view, at, size, acceleration)
         _directions(axes, at, size)
         axes.margins(0.08)
@@ -60,20 +66,25 @@ def _entries(view: View) -> list[Entry]:
     entries = [
         (view.masses.size, _counted(view.masses.size, "mass element"), MASS),
         (view.shells.shape[0], _counted(view.shells.shape[0], "shell element"), SHELL),
+        (len(view.solids), _counted(len(view.solids), "solid element"), SHELL),
         (len(view.beams), _counted(len(view.beams), "beam element"), BEAM),
         (len(view.discrete), _counted(len(view.discrete), "discrete element"), DISCRETE),
         (view.supports.size, _counted(view.supports.size, "supported node"), SUPPORT),
         (tracked, f"contact: {_counted(tracked, 'node')}\non {_counted(segments, 'segment')}", CONTACT),
+        *(
+            (len(at), f"{what} at {_counted(len(at), 'place')}", ARROW)
+            for what, (at, _) in view.arrows.items()
+        ),
     ]
     return [(label, style) for count, label, style in entries if count]
 
 
-def _shells(axes: "Axes", view: View, at: Array) -> None:
+def _faces(axes: "Axes", faces: NDArray[np.intp], at: Array) -> None:
     from matplotlib.collections import PolyCollection
 
-    if view.shells.size:
-        width = 0.4 if view.shells.shape[0] > MANY else 1.2
-        corners = [at[shell] for shell in view.shells]
+    if faces.size:
+        width = 0.4 if len(faces) > MANY else 1.2
+        corners = [at[face] for face in faces]
         axes.add_collection(PolyCollection(corners, facecolors=FACE, edgecolors=EDGE, linewidths=width))
 
 
@@ -114,17 +125,38 @@ def _contacts(axes: "Axes", view: View, at: Array) -> None:
 
 
 def _nodes(axes: "Axes", view: View, at: Array) -> None:
-    few = view.ids.size <= MANY
-    axes.plot(*at[view.supports].T, zorder=4, **SUPPORT)
+    supports = view.supports[:: _stride(view.supports.size, 2 * MANY)]
+    axes.plot(*at[supports].T, zorder=4, **SUPPORT | ({"markersize": 6} if supports.size > MANY else {}))
     axes.plot(*at[view.masses].T, zorder=4, **MASS)
-    axes.plot(*at.T, linestyle="none", marker="o", markersize=3.4 if few else 1.2, color=INK, zorder=5)
-    if not few:
-        return
+    if view.ids.size <= MANY:
+        axes.plot(*at.T, linestyle="none", marker="o", markersize=3.4, color=INK, zorder=5)
+        _numbers(axes, view, at)
+
+
+def _numbers(axes: "Axes", view: View, at: Array) -> None:
+    """The numbers of the nodes; nodes that fall on one place share a note."""
     middle = at[:, 0].mean()
-    for row, (number, place) in enumerate(zip(view.ids, at, strict=True)):
+    acted = {tuple(np.round(ISOMETRIC @ place, 9)) for where, _ in view.arrows.values() for place in where}
+    places, group = np.unique(np.round(at, 9), axis=0, return_inverse=True)
+    for number, place in enumerate(places):
+        rows = np.flatnonzero(group.ravel() == number)
         side = 1 if place[0] >= middle - 1e-9 else -1
-        offset = (side * (14 if row in view.masses else 9), 9 * MIDDLE + 2)
-        note(axes, str(number), place, offset, ha="left" if side > 0 else "right", color=INK, weight="bold")
+        below = 11.0 if tuple(place) in acted else -2.0
+        offset = (side * (14 if np.isin(rows, view.masses).any() else 9), 9 * MIDDLE - below)
+        name = ", ".join(str(view.ids[row]) for row in rows)
+        note(axes, name, place, offset, ha="left" if side > 0 else "right", color=INK, weight="bold")
+
+
+def _arrows(axes: "Axes", view: View, at: Array, size: float) -> None:
+    """Forces and motions leave their node, or end there if they push inward, as pressure does; some of many."""
+    middle = at.mean(axis=0)
+    for what, (places, directions) in view.arrows.items():
+        stride = _stride(len(places), MANY)
+        for place, direction in zip(places[::stride], directions[::stride], strict=True):
+            start, reach = ISOMETRIC @ place, 0.13 * size * (ISOMETRIC @ direction)
+            if what == "pressure" or reach @ (middle - start) > 0.0:
+                start = start - reach
+            _arrow(axes, start, start + reach, LOAD, 1.6 if stride == 1 else 0.9)
 
 
 def _body_load(axes: "Axes", view: View, at: Array, size: float, acceleration: str) -> None:
@@ -161,3 +193,8 @@ def _arrow(axes: "Axes", start: Array, end: Array, colour: str, width: float) ->
 
 def _counted(count: int, what: str) -> str:
     return f"{count} {what}" if count == 1 else f"{count} {what}s"
+
+
+def _stride(count: int, most: int) -> int:
+    """Every which one to draw, so that at most `most` are drawn."""
+    return max(1, -(-count // most))

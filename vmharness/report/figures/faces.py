@@ -1,0 +1,32 @@
+"""Faces of solids that show: those of one solid only, far ones first, so that near ones cover them."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+Index = NDArray[np.intp]
+
+FACES = (
+    (0, 1, 2, 3),
+    (4, 5, 6, 7),
+    (0, 1, 5, 4),
+    (1, 2, 6, 5),
+    (2, 3, 7, 6),
+    (3, 0, 4, 7),
+)  # of a hexahedron
+
+
+def outer(solids: Index) -> Index:
+    """Nodes (nf, 4) of the faces that no two of the hexahedra (ne, 8) share.
+
+    >>> two = np.array([[0, 1, 2, 3, 4, 5, 6, 7], [4, 5, 6, 7, 8, 9, 10, 11]])
+    >>> len(outer(two))
+    10
+    """
+    faces = solids[:, FACES].reshape(-1, 4)
+    _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
+    return faces[np.sort(first[count == 1])]
+
+
+def far_first(faces: Index, x: NDArray[np.float64], viewer: NDArray[np.float64]) -> Index:
+    """The faces in the order of painting: their middles by the direction `viewer` (3,) toward the eye."""
+    return faces[np.argsort(x[faces].mean(axis=1) @ viewer, kind="stable")]
