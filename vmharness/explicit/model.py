@@ -70,7 +70,7 @@ class Model:
     def next_step(self) -> float:
         """The step from t_n on: TSSFAC times the shortest that any force sets, or what caps it."""
         stable = self.step_factor * min([force.stable_step() for force in self.forces], default=np.inf)
-        return min([stable, *[cap(self.state.t) for cap in self.caps]])
+        return min([stable, *[cap(self.state.t) for cap in self.caps]]) if self.caps else stable
 
     def wildest(self) -> str:
         """Which node is accelerated most, or beyond all numbers."""
