@@ -51,10 +51,7 @@ def view_of(deck: Deck, model: Model) -> View:
 
 def _corners(deck: Deck, model: Model, corners: int, *keywords: Keyword) -> NDArray[np.intp]:
     """Rows of the nodes of all elements (ne, corners) of these keywords."""
-    tables = [
-        np.column_stack([model.find(table, name, getattr(table, name)) for name in table.keyword.corners])
-        for table in deck.all(*keywords)
-    ]
+    tables = [model.corners(table, table.keyword.corners) for table in deck.all(*keywords)]
     return np.concatenate([*tables, np.zeros((0, corners), np.intp)])
 
 

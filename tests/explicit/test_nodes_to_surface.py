@@ -117,7 +117,7 @@ def test_free_bodies_keep_momentum_and_energy(wall_and):
     model = wall_and(text + falling(), end=1.0)
     s = model.state
     initial = energy.kinetic(s)
-    stored = [a for kind in energy.STORED for a in energy.accounts(model.forces, kind)]
+    stored = energy.stored(model.forces)
     momentum0 = (s.mass[:, None] * s.v).sum(axis=0)
     touched, worst = False, 0.0
     for state in steps(model):

@@ -16,7 +16,7 @@ class Balance:
     def __init__(self, model: Model) -> None:
         self.model = model
         items: list[Force | Constraint] = [*model.forces, *model.constraints]
-        self.stored = [account for kind in energy.STORED for account in energy.accounts(items, kind)]
+        self.stored = energy.stored(items)
         self.work = energy.accounts(items, "external work")
         self.initial = self.most = 0.0
 

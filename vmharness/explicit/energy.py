@@ -49,6 +49,12 @@ def accounts(items: Iterable[Force | Constraint], name: str) -> list[Array]:
     return [item.energy[name] for item in items if name in item.energy]
 
 
+def stored(items: Iterable[Force | Constraint]) -> list[Array]:
+    """The accounts (1,) of all energies that are stored or dissipated."""
+    items = list(items)
+    return [account for kind in STORED for account in accounts(items, kind)]
+
+
 def ratio(total: float, initial: float, external_work: float) -> float:
     """Total energy / (initial energy + external work); 1 by definition while that is zero.
 

@@ -1,6 +1,6 @@
 """A deck as arrays over nodes, forces and constraints: what the time loop steps."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -48,19 +48,26 @@ class Model:
 
         With `ground`, the number 0 is no node but the ground: row -1.
         """
-        place = np.minimum(np.searchsorted(self.ids, ids, sorter=self.order), self.ids.size - 1)
-        rows = np.where(ground & (ids == 0), -1, self.order[place])
+        rows = np.where(ground & (ids == 0), -1, self._nearest(ids))
         for index in np.flatnonzero((self.ids[rows] != ids) & (rows >= 0)):
             raise entry.error(name, f"no *NODE {ids[index]}", int(index))
         return rows
 
+    def corners(self, table: Entry, names: Sequence[str], ground: bool = False) -> NDArray[np.intp]:
+        """Rows (m, corners) of the nodes that the columns `names` of a table give; see `find`."""
+        return np.column_stack([self.find(table, name, getattr(table, name), ground) for name in names])
+
     def row(self, entry: Entry, name: str, nid: int, index: int | None = None) -> int:
         """The row of node `nid`; raises DeckError naming the card and field that refer to it."""
-        place = min(int(np.searchsorted(self.ids, nid, sorter=self.order)), self.ids.size - 1)
-        row = int(self.order[place])
+        row = int(self._nearest(nid))
         if self.ids[row] != nid:
             raise entry.error(name, f"no *NODE {nid}", index)
         return row
+
+    def _nearest(self, ids: NDArray[np.int64] | int) -> NDArray[np.intp]:
+        """Rows of `ids` where they are nodes, else of some other node."""
+        place = np.searchsorted(self.ids, ids, sorter=self.order)
+        return np.asarray(self.order[np.minimum(place, self.ids.size - 1)])
 
     def add_mass(self, rows: NDArray[np.intp], mass: Array, inertia: Array | float = 0.0) -> None:
         """Lump `mass` (m,) and `inertia` onto nodes; a row may come several times."""

@@ -56,10 +56,7 @@ def parts(deck: Deck, model: Model, elements: Sequence[Keyword], sections: Keywo
     if not tables:
         return
     pid, eid = (np.concatenate([getattr(table, name) for table in tables]) for name in ("pid", "eid"))
-    nodes = np.concatenate([
-        np.column_stack([model.find(table, name, getattr(table, name), True) for name in table.keyword.corners])
-        for table in tables
-    ])  # fmt: skip
+    nodes = np.concatenate([model.corners(table, table.keyword.corners, ground=True) for table in tables])
     number = np.concatenate([np.full(table.eid.size, i) for i, table in enumerate(tables)])
     row = np.concatenate([np.arange(table.eid.size) for table in tables])
     for one in dict.fromkeys(pid.tolist()):

@@ -99,7 +99,7 @@ def energies(model: Model, name: str, part: int | None = None) -> Probe:
         probes |= _whole(
             model,
             probes["external work"],
-            [a for kind in energy.STORED for a in energy.accounts(items, kind)],
+            energy.stored(items),
         )
     return _choose(probes, name, f"of part {part}" if part is not None else "among the energies")
 

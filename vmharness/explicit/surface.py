@@ -94,13 +94,9 @@ def _segment_set(deck: Deck, model: Model, entry: Entry, field: str) -> Segments
         for nodes, stiffness in zip(part.nodes, penalty(part, model), strict=True):
             known[frozenset(nodes.tolist())] = float(stiffness)
     found = deck.find(SET_SEGMENT, sid=getattr(entry, field), referred_by=(entry, field))
-    nodes, stiffness = [], []
-    for row in range(found.n1.size):
-        corners = [
-            model.row(found, name, getattr(found, name)[row], row) for name in ("n1", "n2", "n3", "n4")
-        ]
+    nodes, stiffness = model.corners(found, ("n1", "n2", "n3", "n4")), []
+    for row, corners in enumerate(nodes.tolist()):
         if frozenset(corners) not in known:
             raise found.error("n1", f"no shell has the nodes of this segment; {QUADRILATERALS}", row)
-        nodes.append(corners)
         stiffness.append(known[frozenset(corners)])
-    return Segments(np.array(nodes, np.intp), np.array(stiffness))
+    return Segments(nodes, np.array(stiffness))

@@ -48,7 +48,7 @@ def build(deck: Deck, model: Model) -> None:
         loads.setdefault((entry.lcid, entry.at), []).append((entry, faces))
     for entry in deck.all(LOAD_SEGMENT_SET):
         found = deck.find(SET_SEGMENT, sid=entry.ssid, referred_by=(entry, "ssid"))
-        faces = np.column_stack([model.find(found, name, getattr(found, name)) for name in CORNERS])
+        faces = model.corners(found, CORNERS)
         loads.setdefault((entry.lcid, entry.at), []).append((entry, faces))
     for (lcid, at), group in loads.items():
         curve = time_curve(deck, group[0][0], "lcid", model.end_time - at)
