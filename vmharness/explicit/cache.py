@@ -1,8 +1,8 @@
 """Where compiled kernels lie on disk, so that a changed source never runs as it was before.
 
 numba does not notice when a function that a cached kernel calls in another file has changed. The cache therefore
-lies in a folder named by a hash of every source file of vmharness, numba's version and the processor: a changed
-source is a new folder.
+lies in a folder named by a hash of every source file of the solver (kernels call nothing else of ours), numba's version
+and the processor: a changed source is a new folder.
 """
 
 import hashlib
@@ -26,7 +26,7 @@ def root() -> Path:
 def folder() -> Path:
     """The folder for kernels of just these sources, this numba and this processor."""
     digest = hashlib.sha256()
-    package = Path(__file__).parents[1]
+    package = Path(__file__).parent
     for source in sorted(package.rglob("*.py")):
         digest.update(source.relative_to(package).as_posix().encode())
         digest.update(source.read_bytes())
