@@ -8,6 +8,7 @@ after run, though not the bits of another NCPU.
 import copy
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -35,7 +36,7 @@ def shares(elements: int, threads: int) -> Iterator[slice]:
     """
     count = max(1, min(threads, elements // FEWEST))
     ends = np.linspace(0, elements, count + 1).astype(int).tolist()
-    return (slice(*pair) for pair in zip(ends[:-1], ends[1:], strict=True))
+    return (slice(*pair) for pair in pairwise(ends))
 
 
 class Crew:
