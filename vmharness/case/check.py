@@ -9,6 +9,7 @@ from vmharness.case.decode import FILE
 from vmharness.case.error import CaseError
 from vmharness.case.format import EVENTS, OWNERS, CaseFile, Event, as_line
 from vmharness.case.near import near
+from vmharness.case.template import SUFFIX
 from vmharness.formula import Dimension, Formula, FormulaError, Unit, UnitError, UnitSystem
 
 NUMBER = r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?"
@@ -156,6 +157,10 @@ class Checks:
     def parameters(self) -> None:
         for name, text in self.file.deck.parameters.items():
             self.formula(f"[deck.parameters] {name}", f"parameter {name}", text)
+        for name, text in self.file.deck.mesh.items():
+            self.formula(f"[deck.mesh] {name}", f"mesh {name}", text)
+        if self.file.deck.mesh and not self.file.deck.file.endswith(SUFFIX):
+            raise self.wrong("[deck.mesh]", f"only a template, such as deck.k{SUFFIX}, has names for a mesh")
 
     def files(self) -> None:
         for name in [self.file.deck.file, *self.file.files]:

@@ -1,6 +1,6 @@
 """The page of a case: what every format of it shows, with nothing of how it is written."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from vmharness.case import Case, CaseError
@@ -11,6 +11,7 @@ from vmharness.formula import Formula, Unit
 from vmharness.report.figures import histories, model
 from vmharness.report.figures.curves import Curve, curves
 from vmharness.report.prose import sections
+from vmharness.report.section import Figure, Section
 from vmharness.report.solver import short_name
 from vmharness.result import CaseRun, Row
 
@@ -37,15 +38,6 @@ class TheoryLine:
 
 
 @dataclass(frozen=True)
-class Figure:
-    """A drawing: the stem of its file, its caption, its <svg> element."""
-
-    name: str
-    caption: str
-    svg: str
-
-
-@dataclass(frozen=True)
 class PlantedFault:
     """A declared fault, and how far theory says that it moves each result that must fail."""
 
@@ -68,11 +60,12 @@ class Page:
     faults: list[PlantedFault]
     model: Figure | None
     histories: list[Figure]
+    studies: Sequence[Section]
     volatile: bool  # whether what varies from run to run may be shown
     indexed: bool  # whether an index lies in the folder above
 
 
-def page(run: CaseRun, volatile: bool = True, indexed: bool = False) -> Page:
+def page(run: CaseRun, volatile: bool = True, indexed: bool = False, studies: Sequence[Section] = ()) -> Page:
     """Everything on the page of a run; figures are drawn here, once for all formats."""
     case, solver = run.case, short_name(run.solution.solver)
     return Page(
@@ -87,6 +80,7 @@ def page(run: CaseRun, volatile: bool = True, indexed: bool = False) -> Page:
         faults=[_fault(case, fault) for fault in case.file.faults],
         model=_model(run),
         histories=_histories(run, solver),
+        studies=studies,
         volatile=volatile,
         indexed=indexed,
     )
@@ -137,7 +131,7 @@ def _model(run: CaseRun) -> Figure | None:
     if run.solution.view is None:
         return None
     drawing = model.draw(run.solution.view, run.case.id, _acceleration(run.case))
-    return Figure("model", f"The model as read from {run.case.file.deck.file}", drawing)
+    return Figure("model", f"The model as read from {run.case.deck_name}", drawing)
 
 
 def _acceleration(case: Case) -> str:

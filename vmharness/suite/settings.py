@@ -46,9 +46,22 @@ def with_settings(case: "Case", settings: Mapping[str, float]) -> "Case":
     factor = {name: case.units.factor(case.file.given[name].unit) for name in settings}
     changed = case.with_given({name: value * factor[name] for name, value in settings.items()})
     for name in changed.formulas:
-        if not name.startswith("curve "):  # curves have a value at a time only
+        if not name.startswith(("curve ", "converge ")):  # these have a value at a time, or a level, only
             changed.evaluate(name)
     return changed
+
+
+def as_options(settings: Mapping[str, float]) -> str:
+    """The options that set the data again.
+
+    >>> as_options({"k": 2000.0, "m": 0.4})
+    '--set k=2000 --set m=0.4'
+    """
+    return " ".join(f"--set {_assigned(name, value)}" for name, value in settings.items())
+
+
+def _assigned(name: str, value: float) -> str:
+    return f"{name}={value!r}".removesuffix(".0")
 
 
 def label(id: str, settings: Mapping[str, float]) -> str:
@@ -57,4 +70,4 @@ def label(id: str, settings: Mapping[str, float]) -> str:
     >>> label("VM-061", {"k": 2000.0, "m": 0.4})
     'VM-061@k=2000,m=0.4'
     """
-    return f"{id}@{','.join(f'{name}={value!r}'.removesuffix('.0') for name, value in settings.items())}"
+    return f"{id}@{','.join(_assigned(name, value) for name, value in settings.items())}"

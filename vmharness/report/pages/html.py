@@ -2,6 +2,7 @@
 
 import datetime
 import platform
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -42,9 +43,9 @@ def case(page: Page, folder: Path) -> str:
 def _inputs(run: CaseRun) -> dict[str, bytes]:
     """What was put into the run, by name: the deck is the one that ran."""
     case = run.case
-    files = {name: (case.folder / name).read_bytes() for name in (*case.file.files, "case.toml")}
+    files = {name: (case.folder / name).read_bytes() for name in case.input_files}
     deck = run.solution.resolved_deck.encode() or case.deck_path.read_bytes()
-    return {case.file.deck.file: deck, **files}
+    return {case.deck_name: deck, **files}
 
 
 def index(index: Index) -> str:
@@ -109,10 +110,20 @@ def _filters() -> dict[str, Callable[..., str]]:
         "short": lambda value: _minus(number.short(value)),
         "decimals": lambda value, places=4: _minus(number.decimals(value, places)),
         "minus": _minus,
+        "signs": _signs,
         "share": number.share,
         "positional": number.positional,
         "unit": lambda text: Unit(text).html() or "–",
     }
+
+
+def _signs(text: str) -> str:
+    """Prose in which the signs of numbers, and those alone, are minus signs.
+
+    >>> _signs("VM-061: -2.5e-3, by-product")
+    'VM-061: −2.5e−3, by-product'
+    """
+    return re.sub(r"(?<!\w)-(?=\d)|(?<=\de)-(?=\d)", "−", text)
 
 
 def _minus(text: str) -> str:
