@@ -50,7 +50,7 @@ class Hexahedra:
         self.elements, self.points = elements, points
         self._step, self._modulus, self._constants = step, modulus, constants
         self._viscous, self._hourglass = viscous, hourglass
-        self._wave_speed, self._stable = (modulus / density) ** 0.5, np.inf
+        self._stable = np.inf
         kept = np.zeros((elements, KEPT))
         kept[:, TURN] = 1.0
         self._kept = by_block(kept)
@@ -90,13 +90,15 @@ class Hexahedra:
         return min(self._stable, self._longest)
 
     def steps(self, x: Array) -> Array:
-        """L_e / c (ne,) at coordinates `x` (n, 3) and the material's density, of elements that do not move."""
-        return measures(x[self.nodes])[2] / self._wave_speed
+        """L_e / c (ne,) at coordinates `x` (n, 3), of elements that are not compressed: without bulk viscosity."""
+        volume, _, length = measures(x[self.nodes])
+        mass = by_element(self._fixed, self.elements)[:, MASS]
+        return length * np.sqrt(mass / (self._modulus * volume))
 
     def densify(self, factor: Array) -> None:
-        """Take the densities as `factor` (ne,) times the material's, from before the first step on."""
+        """Raise the densities by `factor` (ne,)."""
         fixed = by_element(self._fixed, self.elements).copy()
-        fixed[:, MASS] = 8 * self.mass * factor
+        fixed[:, MASS] *= factor
         if self._hourglass[0]:
             fixed[:, MODULUS] *= np.sqrt(factor)
         self._fixed[:] = by_block(fixed)

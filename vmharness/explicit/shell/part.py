@@ -106,15 +106,15 @@ class Shells:
         return self._length / self._wave_speed
 
     def steps(self, x: Array) -> Array:
-        """L_s / c (ne,) at coordinates `x` (n, 3) and the material's density."""
+        """L_s / c (ne,) at coordinates `x` (n, 3)."""
         lengths = np.zeros(self.elements)
         self._lengths(x, self._nodes, self._work, lengths)
-        return lengths / self._wave_speed
+        return lengths * by_element(self._section, self.elements)[:, DENSITY_ROOT] / self._wave_speed
 
     def densify(self, factor: Array) -> None:
-        """Take the densities as `factor` (ne,) times the material's, from before the first step on."""
+        """Raise the densities by `factor` (ne,)."""
         section = by_element(self._section, self.elements).copy()
-        section[:, DENSITY_ROOT] = np.sqrt(factor)
+        section[:, DENSITY_ROOT] *= np.sqrt(factor)
         self._section[:] = by_block(section)
 
     @property
