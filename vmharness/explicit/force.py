@@ -57,3 +57,14 @@ class Scalable(Elements, Protocol):
 
     def densify(self, factor: Array) -> None:
         """Raise the densities by `factor` (ne,): from the next `add` on, steps are sqrt(factor) times as long."""
+
+
+@runtime_checkable
+class Dampable(Elements, Protocol):
+    """Elements that take stiffness damping: explicit/damping/stiffness."""
+
+    def steps(self, x: Array) -> Array:
+        """The stable step (ne,) of each element at coordinates `x` (n, 3), undamped."""
+
+    def damp(self, beta: Array) -> None:
+        """Add to the stress of the law `beta` (ne,) times its rate; to be asked for before the first step."""

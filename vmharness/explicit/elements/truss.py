@@ -28,6 +28,7 @@ from numpy.typing import NDArray
 from vmharness.deck import Deck
 from vmharness.explicit.beams import beam_parts, lengths
 from vmharness.explicit.compiled import specialise
+from vmharness.explicit.damping.stiffness.law import damped, memory, uniaxial
 from vmharness.explicit.lanes import LANES, Indices, by_block, by_element, put, vector
 from vmharness.explicit.material import law_of
 from vmharness.explicit.materials.elastic import uniaxial as law
@@ -105,7 +106,7 @@ class Truss:
         self._work = np.zeros(ROWS * LANES)
         self._shortest = np.inf
         self.energy = {"internal": np.zeros(1)}
-        self._step = _compiled(law)
+        self._law, self._step = law, _compiled(law)
 
     def add(self, state: State) -> None:
         """Add forces at t_n, and the work of the step that led there."""
@@ -137,6 +138,13 @@ class Truss:
     def densify(self, factor: Array) -> None:
         """Raise the densities by `factor` (ne,): waves are slower, as if bars had been longer at the beginning."""
         self._length[:] = by_block(by_element(self._length, self.elements) * factor[:, None])
+
+    def damp(self, beta: Array) -> None:
+        """Add to the stress of the law `beta` (ne,) times its rate; to be asked for before the first step."""
+        history = self._history.shape[-1] // LANES
+        self._history = by_block(memory(beta, 1, history, 1)[:, 0])
+        self._constants = (self._constants, history)
+        self._step = _compiled(damped(uniaxial, self._law))
 
     def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
         """`axial-stress`, `axial-force` (tension positive) or a channel of the law; `element`: its place in `eid`."""
