@@ -98,6 +98,7 @@ def build(deck: Deck) -> Model:
         for module in dropins.modules(f"vmharness.explicit.{part}"):
             module.build(deck, model)
     _check_masses(deck, model)
+    _check_histories(deck, model)
     s = model.state
     model.inverse_mass = np.divide(1.0, s.mass, out=np.zeros_like(s.mass), where=s.mass > 0.0)
     model.inverse_inertia = np.divide(1.0, s.inertia, out=np.zeros_like(s.inertia), where=s.inertia > 0.0)
@@ -142,3 +143,10 @@ def _check_masses(deck: Deck, model: Model) -> None:
             raise table.error(
                 "nid", f"a free node without mass{others}; give it mass, or support it", int(row)
             )
+
+
+def _check_histories(deck: Deck, model: Model) -> None:
+    """A node whose history the deck asks for must be there: else the name is wrong, or the mesh."""
+    for keyword, ids in (("DATABASE_HISTORY_NODE", "ids"), ("DATABASE_HISTORY_NODE_ID", "id1")):
+        for table in deck.all(keyword):
+            model.find(table, ids, getattr(table, ids))

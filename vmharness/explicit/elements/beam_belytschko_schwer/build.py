@@ -32,6 +32,8 @@ def build(deck: Deck, model: Model) -> None:
                 orientation=orientations(part, model),
                 stiffness=stiffness(length, section, e, nu),
                 limit=stable_step(length, section, e, nu, density),
+                mass=mass,
+                inertia=inertia,
                 area=card.a,
                 eid=part.eid,
                 pid=part.pid,
