@@ -12,6 +12,7 @@ from vmharness.explicit.contacts.nodes_to_surface import NodesToSurface
 from vmharness.explicit.force import Elements, Force
 from vmharness.explicit.model import Model
 from vmharness.explicit.state import Array
+from vmharness.explicit.walls.planar.wall import PlanarWall
 
 Probe = Callable[[], float]
 
@@ -64,6 +65,27 @@ def motion(model: Model, number: int, component: str) -> Probe:
     if not 1 <= number <= len(motions):
         raise ProbeError(f"no prescribed motion {number}; the deck has {len(motions)}")
     return _resultant(motions[number - 1].total, component, "of a prescribed motion")
+
+
+def wall(model: Model, number: int, component: str) -> Probe:
+    """A component of what a rigid wall exerts on all nodes, or of its motion: `x-force`, `normal-velocity`.
+
+    Along x, y, z or the wall's normal. `impulse` is all that the nodes have received.
+    """
+    walls = {item.number: item for item in model.constraints if isinstance(item, PlanarWall)}
+    if number not in walls:
+        raise ProbeError(f"no rigid wall {number}; there are: {', '.join(map(str, walls)) or 'none'}")
+    found, s = walls[number], model.state
+    along, _, quantity = component.partition("-")
+    axis = found.normal if along == "normal" else np.eye(3)[_split(component)[0]]
+    share = float(axis @ found.normal)
+    probes: dict[str, Probe] = {
+        "force": lambda: float(axis @ found.force),
+        "impulse": lambda: float(axis @ found.impulse),
+        "displacement": lambda: share * float(found.motion[0]),
+        "velocity": lambda: share * found.velocity(s),
+    }
+    return _choose(probes, quantity, "of a rigid wall")
 
 
 def _resultant(total: Array, component: str, of: str) -> Probe:
