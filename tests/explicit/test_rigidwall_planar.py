@@ -255,6 +255,23 @@ def test_order_of_the_options_is_free(wall_and):
         assert (found.face[4, 0], found.motion[1], found.inverse_mass) == (1.0, 0.5, 1.0 / 3.0)
 
 
+def test_the_motion_of_a_wall_is_resolved_along_its_normal(wall_and):
+    oblique = "*RIGIDWALL_PLANAR_MOVING\n0\n0,0,0,3.0,0,4.0\n2.0,5.0\n"
+    model = wall_and(ball() + oblique, end=0.02)
+    next(steps(model))
+    for component, value in (
+        ("normal-velocity", 5.0),
+        ("x-velocity", 3.0),
+        ("y-velocity", 0.0),
+        ("z-velocity", 4.0),
+    ):
+        assert probe.wall(model, 1, component)() == pytest.approx(value, rel=1e-15)
+    with pytest.raises(probe.ProbeError, match="no 'stress' of a rigid wall; there are: force, impulse"):
+        probe.wall(model, 1, "x-stress")
+    with pytest.raises(probe.ProbeError, match="no rigid wall 2; there are: 1"):
+        probe.wall(model, 2, "x-force")
+
+
 def test_momentum_of_many_impacts_is_conserved_to_round_off(wall_and):
     """Random masses and velocities, springs to each other by none: 40 nodes against one moving wall with friction."""
     random = np.random.default_rng(4)

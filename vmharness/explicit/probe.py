@@ -9,7 +9,7 @@ from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.constraints.spc import Supports
 from vmharness.explicit.contacts.nodes_to_surface import NodesToSurface
-from vmharness.explicit.force import Elements, Force
+from vmharness.explicit.force import Elements, Force, Scalable
 from vmharness.explicit.model import Model
 from vmharness.explicit.state import Array
 from vmharness.explicit.walls.planar.wall import PlanarWall
@@ -86,6 +86,40 @@ def wall(model: Model, number: int, component: str) -> Probe:
         "velocity": lambda: share * found.velocity(s),
     }
     return _choose(probes, quantity, "of a rigid wall")
+
+
+def centre(model: Model, part: int | None, component: str) -> Probe:
+    """A component of the motion of the centre of mass, of the model or of a part: `x-velocity`, `x-momentum`.
+
+    A part has the mass of its elements alone.
+    """
+    mass = model.state.mass if part is None else _mass_of(model, part)
+    total = float(mass.sum())
+    if total == 0.0:
+        raise ProbeError(
+            f"no elements with mass in part {part}" if part is not None else "no mass in the deck"
+        )
+    axis, quantity = _split(component)
+    s, share, x0 = model.state, mass / total, model.x0[:, axis]
+
+    def velocity() -> float:
+        return float(share @ (s.v[:, axis] + 0.5 * s.dt * s.a[:, axis]))
+
+    probes: dict[str, Probe] = {
+        "displacement": lambda: float(share @ (s.x[:, axis] - x0)),
+        "velocity": velocity,
+        "momentum": lambda: total * velocity(),
+    }
+    return _choose(probes, quantity, "of a centre of mass")
+
+
+def _mass_of(model: Model, part: int) -> Array:
+    """What each node (n,) has of the mass of a part."""
+    mass = np.zeros(model.ids.size)
+    for force in model.forces:
+        if isinstance(force, Scalable) and force.pid == part:
+            np.add.at(mass, force.nodes, force.mass[:, None])
+    return mass
 
 
 def _resultant(total: Array, component: str, of: str) -> Probe:
