@@ -29,7 +29,8 @@ class PlanarWall:
         self.trial = np.full(nodes.size, np.inf)
         self.blow = np.zeros(3)  # the sum of impulses beyond these forces, of the last step
         self.force = np.zeros(3)  # on all nodes: forces at t_n, and impulses over the step that they fell in
-        self.impulse = np.zeros(3)  # all that the nodes have received
+        self.given = np.zeros(3)  # all that the nodes have received until t_{n-1/2}
+        self.impulse = np.zeros(3)  # until t_n
         moving = 0.5 * mass * velocity**2 if math.isfinite(mass) else 0.0
         self.energy = {"rigid wall": np.full(1, moving)}
 
@@ -39,13 +40,14 @@ class PlanarWall:
         self.fixed = np.zeros((len(x), 6), bool)
 
     def accelerate(self, state: State) -> None:
-        """The forces at t_n, and the work of the step that led there."""
+        """The forces and the impulse at t_n, and the work of the step that led there."""
         s = state
         self.energy["rigid wall"] -= press(
             s.x, s.v, s.a, s.mass, s.dt, self.nodes, self.face, self._reach(s.t), self.motion, self.inverse_mass,
             self.friction, self.forces, self.trial,
         )  # fmt: skip
         self.force[:] = self.forces.sum(axis=0)
+        self.impulse[:] = self.given + 0.5 * s.dt * self.force
         if s.dt > 0.0:
             self.force += self.blow / s.dt
 
@@ -56,7 +58,7 @@ class PlanarWall:
             s.x, s.v, s.a, s.mass, mean_dt, dt, self.nodes, self.face, self._reach(s.t), self.motion,
             self.inverse_mass, self.friction, self.forces, self.trial, self.blow,
         )  # fmt: skip
-        self.impulse += mean_dt * self.forces.sum(axis=0) + self.blow
+        self.given += mean_dt * self.forces.sum(axis=0) + self.blow
 
     def velocity(self, state: State) -> float:
         """The velocity of the wall along n at t_n."""
