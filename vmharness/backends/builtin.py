@@ -106,6 +106,10 @@ def probe_of(model: Model, channel: Channel) -> Probe:
         return probe.node(model, channel.node, component)
     if channel.contact is not None:
         return probe.contact(model, channel.contact, component)
+    if channel.wall is not None:
+        return probe.wall(model, channel.wall, component)
+    if channel.centre is not None:
+        return probe.centre(model, None if channel.centre == "all" else channel.centre, component)
     if channel.support is not None:
         return probe.support(model, component)
     if channel.motion is not None:

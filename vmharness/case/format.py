@@ -62,6 +62,11 @@ class Channel(Table, frozen=True):
     contact: Annotated[
         int | None, Meta(description="CID of the contact, or its place among the contacts")
     ] = None
+    wall: Annotated[int | None, Meta(description="ID of the rigid wall, or its place among the walls")] = None
+    centre: Annotated[
+        int | Literal["all"] | None,
+        Meta(description="Part whose centre of mass it is, or all: x-momentum, ..."),
+    ] = None
     support: Annotated[Literal["all"] | None, Meta(description="Reactions of all supports together")] = None
     motion: Annotated[int | None, Meta(description="Number of the prescribed motion in the deck's order")] = (
         None
@@ -240,6 +245,8 @@ OWNERS = (
     "beam",
     "discrete",
     "contact",
+    "wall",
+    "centre",
     "support",
     "motion",
     "energy",

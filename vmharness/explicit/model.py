@@ -18,8 +18,9 @@ from vmharness.explicit.state import Array, State
 from vmharness.explicit.threads import ncpu
 
 # Folders whose modules each add to the model by `build(deck, model)`. Supports come late: they overrule velocities.
-# Damping comes after them: it acts on the accelerations that all others have left. Mass scaling needs all elements.
-PARTS = ("elements", "contacts", "loads", "initial", "constraints", "damping", "timestep")
+# Damping comes after them: it acts on the accelerations that all others have left. Rigid walls see what is then left
+# of motion along their normal. Mass scaling needs all elements.
+PARTS = ("elements", "contacts", "loads", "initial", "constraints", "damping", "walls", "timestep")
 
 
 @dataclass

@@ -9,9 +9,10 @@ from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.constraints.spc import Supports
 from vmharness.explicit.contacts.nodes_to_surface import NodesToSurface
-from vmharness.explicit.force import Elements, Force
+from vmharness.explicit.force import Elements, Force, Scalable
 from vmharness.explicit.model import Model
 from vmharness.explicit.state import Array
+from vmharness.explicit.walls.planar.wall import PlanarWall
 
 Probe = Callable[[], float]
 
@@ -64,6 +65,61 @@ def motion(model: Model, number: int, component: str) -> Probe:
     if not 1 <= number <= len(motions):
         raise ProbeError(f"no prescribed motion {number}; the deck has {len(motions)}")
     return _resultant(motions[number - 1].total, component, "of a prescribed motion")
+
+
+def wall(model: Model, number: int, component: str) -> Probe:
+    """A component of what a rigid wall exerts on all nodes, or of its motion: `x-force`, `normal-velocity`.
+
+    Along x, y, z or the wall's normal. `impulse` is all that the nodes have received.
+    """
+    walls = {item.number: item for item in model.constraints if isinstance(item, PlanarWall)}
+    if number not in walls:
+        raise ProbeError(f"no rigid wall {number}; there are: {', '.join(map(str, walls)) or 'none'}")
+    found, s = walls[number], model.state
+    along, _, quantity = component.partition("-")
+    axis = found.normal if along == "normal" else np.eye(3)[_split(component)[0]]
+    share = float(axis @ found.normal)
+    probes: dict[str, Probe] = {
+        "force": lambda: float(axis @ found.force),
+        "impulse": lambda: float(axis @ found.impulse),
+        "displacement": lambda: share * float(found.motion[0]),
+        "velocity": lambda: share * found.velocity(s),
+    }
+    return _choose(probes, quantity, "of a rigid wall")
+
+
+def centre(model: Model, part: int | None, component: str) -> Probe:
+    """A component of the motion of the centre of mass, of the model or of a part: `x-velocity`, `x-momentum`.
+
+    A part has the mass of its elements alone.
+    """
+    mass = model.state.mass if part is None else _mass_of(model, part)
+    total = float(mass.sum())
+    if total == 0.0:
+        raise ProbeError(
+            f"no elements with mass in part {part}" if part is not None else "no mass in the deck"
+        )
+    axis, quantity = _split(component)
+    s, share, x0 = model.state, mass / total, model.x0[:, axis]
+
+    def velocity() -> float:
+        return float(share @ (s.v[:, axis] + 0.5 * s.dt * s.a[:, axis]))
+
+    probes: dict[str, Probe] = {
+        "displacement": lambda: float(share @ (s.x[:, axis] - x0)),
+        "velocity": velocity,
+        "momentum": lambda: total * velocity(),
+    }
+    return _choose(probes, quantity, "of a centre of mass")
+
+
+def _mass_of(model: Model, part: int) -> Array:
+    """What each node (n,) has of the mass of a part."""
+    mass = np.zeros(model.ids.size)
+    for force in model.forces:
+        if isinstance(force, Scalable) and force.pid == part:
+            np.add.at(mass, force.nodes, force.mass[:, None])
+    return mass
 
 
 def _resultant(total: Array, component: str, of: str) -> Probe:
