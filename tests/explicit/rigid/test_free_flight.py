@@ -46,7 +46,7 @@ def test_a_constant_torque_about_a_principal_axis_is_exact(space, bodies, block,
 def test_work_of_force_and_torque_is_the_kinetic_energy(space, bodies, block):
     loads = "*LOAD_RIGID_BODY\n7,2,1,3.0\n7,6,1,4.0\n*LOAD_NODE_POINT\n3,3,1,0.5\n"
     model = space(block + loads, end=3.0, step=2e-3)
-    for s in steps(model):
+    for _ in steps(model):
         work = sum(
             account[0] for account in energy.accounts([*model.forces, *model.constraints], "external work")
         )
@@ -62,11 +62,11 @@ def tumble(space, bodies, free, per_turn, turns):
     turn = 2 * np.pi / size
     model = space(free(**TUMBLING), end=turns * turn, step=turn / per_turn)
     b, first, off, drift = bodies(model), None, 0.0, 0.0
-    for s in steps(model):
+    for _ in steps(model):
         first = first or (model.kinetic(), b.L[0].copy())
         off = max(off, abs(model.kinetic() / first[0] - 1.0))
         drift = max(drift, np.abs(b.L[0] - first[1]).max() / np.linalg.norm(first[1]))
-    return off, drift, s.x[0].copy(), s.t
+    return off, drift, model.state.x[0].copy(), model.state.t
 
 
 @pytest.mark.parametrize("turns", [50])
