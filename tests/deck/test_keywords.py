@@ -24,7 +24,7 @@ def test_widths_are_the_formats() -> None:
     assert widths("ELEMENT_SHELL_THICKNESS") == [[8] * 10, [16] * 5]
     assert widths("ELEMENT_MASS") == [[8, 8, 16, 8]]
     assert widths("DEFINE_CURVE") == [[10] * 8, [20, 20]]
-    assert widths("PART") == [[70], [10] * 8]
+    assert widths("PART") == [[70], [10] * 8, [10] * 6, [10] * 6, [10] * 6, [10] * 7]
     eight = [
         name
         for name in VOCABULARY

@@ -120,7 +120,7 @@ def probe_of(model: Model, channel: Channel) -> Probe:
 
 def _facts(model: Model, history: History) -> dict[str, str]:
     steps_taken = np.diff(history.time)
-    facts = {"Nodes": str(model.ids.size), "Cycles": str(model.state.cycle)}
+    facts = {"Nodes": str(model.node_count), "Cycles": str(model.state.cycle)}
     if steps_taken.size:
         facts["Time step"] = f"{steps_taken.min():.6g} to {steps_taken.max():.6g}, {model.controlling()}"
     return facts | model.facts

@@ -22,11 +22,13 @@ class KineticEnergy:
 
     def __init__(self, state: State) -> None:
         self.state, self.cycle, self.value = state, -1, 0.0
+        self.others: list[Array] = []  # accounts (1,) of what is not in the state's inertia: rigid bodies
 
     def __call__(self) -> float:
         """1/2 sum m v_n^2 + I omega_n^2; to be asked for while the time loop shows its state."""
         if self.cycle != self.state.cycle:
-            self.cycle, self.value = self.state.cycle, kinetic(self.state)
+            others = sum([account.item() for account in self.others])
+            self.cycle, self.value = self.state.cycle, kinetic(self.state) + others
         return self.value
 
 

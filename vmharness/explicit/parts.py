@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from vmharness.deck import Deck, Entry, Keyword
 from vmharness.deck.keywords.part import PART
 from vmharness.explicit.material import material_of
+from vmharness.explicit.materials.rigid import KEYWORD as MAT_RIGID
 from vmharness.explicit.model import Model
 from vmharness.explicit.threads import shares
 
@@ -32,6 +33,11 @@ class Part:
     def pid(self) -> int:
         """The part's number."""
         return int(self.part.pid)
+
+    @property
+    def rigid(self) -> bool:
+        """Whether its material is *MAT_RIGID."""
+        return self.material.keyword is MAT_RIGID
 
     def only(self, chosen: NDArray[np.bool_], corners: int) -> "Part":
         """The `chosen` (ne,) of its elements, with the first of their corners."""

@@ -47,6 +47,8 @@ ROWS = 11
 def build(deck: Deck, model: Model) -> None:
     """Add a force and the lumped mass for each part of trusses."""
     for part in beam_parts(deck, model, ELFORM):
+        if part.rigid:
+            continue
         material, area, length = part.material, part.section.a, lengths(part, model.x0)
         module = law_of(material, "uniaxial", part.part)
         block = Truss(
