@@ -71,13 +71,18 @@ def _summed(forces: Array, places: NDArray[np.intp], axis: int) -> Probe:
     return lambda: float(forces[places, axis].sum())
 
 
-def support(model: Model, component: str) -> Probe:
-    """A component of the sum of all reactions of supports: `z-force`, `x-moment`."""
+def support(model: Model, component: str, nid: int | None = None) -> Probe:
+    """A component of the sum of all reactions of supports, or of those at one node: `z-force`, `x-moment`."""
     supports = [item for item in model.constraints if isinstance(item, Supports)]
     if not supports:
         raise ProbeError("no support in the deck")
     # One constraint holds all supports of a deck.
-    return _resultant(supports[0].total, component, "of a support")
+    if nid is None:
+        return _resultant(supports[0].total, component, "of a support")
+    rows = np.flatnonzero(model.ids == nid)
+    if not rows.size or not supports[0].fixed[rows[0]].any():
+        raise ProbeError(f"no support at node {nid}")
+    return _resultant(supports[0].reaction[rows[0]], component, "of a support")
 
 
 def motion(model: Model, number: int, component: str) -> Probe:
