@@ -101,10 +101,10 @@ def probe_of(model: Model, channel: Channel) -> Probe:
     component = channel.component or ""
     if channel.energy is not None:
         return probe.energies(model, channel.energy, channel.part)
+    if channel.contact is not None:
+        return probe.contact(model, channel.contact, component, channel.node)
     if channel.node is not None:
         return probe.node(model, channel.node, component)
-    if channel.contact is not None:
-        return probe.contact(model, channel.contact, component)
     if channel.support is not None:
         return probe.support(model, component)
     if channel.motion is not None:
