@@ -54,7 +54,7 @@ def contact(model: Model, number: int, component: str, nid: int | None = None) -
         places = np.flatnonzero(model.ids[found.tracked] == nid)
         if not places.size:
             raise ProbeError(f"no node {nid} among the tracked nodes of contact {number}")
-        on_node = {f"{axis}-force": _summed(found.forces, places, i) for axis, i in AXES.items()}
+        on_node = {f"{axis}-force": _summed(found, places, i) for axis, i in AXES.items()}
         return _choose(on_node, component, "on a node in contact")
     probes: dict[str, Probe] = {
         **{f"{axis}-force": found.force[i : i + 1].item for axis, i in AXES.items()},
@@ -66,9 +66,9 @@ def contact(model: Model, number: int, component: str, nid: int | None = None) -
     return _choose(probes, component, "of a contact")
 
 
-def _summed(forces: Array, places: NDArray[np.intp], axis: int) -> Probe:
-    """The sum of the forces on a node that is tracked against both sides, or once."""
-    return lambda: float(forces[places, axis].sum())
+def _summed(found: Contact, places: NDArray[np.intp], axis: int) -> Probe:
+    """The sum of the forces on a node that is tracked once, or against both sides."""
+    return lambda: float(found.forces[places, axis].sum())
 
 
 def support(model: Model, component: str, nid: int | None = None) -> Probe:
