@@ -29,6 +29,10 @@ class Contact:
         self.account = self.passes[0].account if len(passes) == 1 else np.zeros(5)
         self.energy = {"contact": self.account[:1], "friction": self.account[1:2]}
         self.force = self.account[2:]  # (3,) resultant on surface A
+        forces = [one.nodes["force"] for one in self.passes]
+        self.forces = (
+            forces[0] if len(forces) == 1 else np.concatenate(forces)
+        )  # (nt, 3) on the tracked nodes
 
     def add(self, state: State) -> None:
         """Add the forces at t_n, and the work of the step that led to it."""
@@ -43,20 +47,18 @@ class Contact:
             first, second = self.passes
             self.account[:2] = first.account[:2] + second.account[:2]
             self.account[2:] = first.account[2:] - second.account[2:]
+            np.concatenate([first.nodes["force"], second.nodes["force"]], out=self.forces)
 
     def stable_step(self) -> float:
         """A penalty sets no step."""
         return np.inf
 
-    @property
-    def forces(self) -> Array:
-        """Forces (nt, 3) on the tracked nodes."""
-        return np.concatenate([one.nodes["force"] for one in self.passes])
-
     def initial_penetrations(self, x: Array) -> list[tuple[int, Array]]:
         """Nodes that begin deeper than round-off: (row, the displacement (3,) that brings it to the surface)."""
         return [
-            found for one in self.passes for found in penetrations(x, one.nodes, one.segments, self.options.maxpar)
+            found
+            for one in self.passes
+            for found in penetrations(x, one.nodes, one.segments, self.options.maxpar)
         ]
 
     def area(self) -> float:

@@ -5,8 +5,8 @@ a neighbour that is nearer. Force derives from the potential k g^2 / 2 of the di
 segments join flat, and does no work on a round trip where they join at an angle. Where segments meet by more than 60
 degrees the surface is taken to end, for a node behind it: the other side of a sharp edge is not where it came from.
 
-Beyond the end of the surface, a node behind it is kept up to MAXPAR, and a node in front of a shell (by the thicknesses)
-is kept by the edge itself, which is round. A node that is held by two walls of a corner is kept by both.
+Beyond the end of the surface, a node behind it is kept up to MAXPAR, and a node in front of a shell, within the
+thicknesses, is kept by the edge itself, which is round. A node that is held by two walls of a corner is kept by both.
 """
 
 import numpy as np
@@ -40,7 +40,9 @@ def follow(
         xi, eta, out, away, n = place(x, segments[s], p, xi, eta)
         if inside(x, segments[s], xi, eta, out, away):
             break
-        other, turn, shared = nearer(x, node, touches, k, s, side * dot(away, n), out, away, n, segments, first, beside)
+        other, turn, shared = nearer(
+            x, node, touches, k, s, side * dot(away, n), out, away, n, segments, first, beside
+        )
         if other < 0:
             break
         s, side = other, side * turn
@@ -60,7 +62,9 @@ def follow(
     else:
         if out > 0.0:
             xi, eta, out, height, n = extended(x, segment, p, xi, eta, side)
-            if out > maxpar - 1.0 and not (out < CORNER and held(touches, k, s, node["count"], first, beside)):
+            if out > maxpar - 1.0 and not (
+                out < CORNER and held(touches, k, s, node["count"], first, beside)
+            ):
                 return False
         n = scale(side, n)
     write(touch, s, side, xi, eta, n, height - half_thickness(node, segment))

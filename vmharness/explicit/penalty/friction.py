@@ -11,7 +11,18 @@ import numpy as np
 
 from vmharness.explicit.compiled import kernel
 from vmharness.explicit.segment import Corners, tangents
-from vmharness.explicit.vector import Vector, add, combine, components, cross, dot, inlined, scale, subtract, unit
+from vmharness.explicit.vector import (
+    Vector,
+    add,
+    combine,
+    components,
+    cross,
+    dot,
+    inlined,
+    scale,
+    subtract,
+    unit,
+)
 
 
 @inlined

@@ -42,6 +42,9 @@ def ways_out(x: Array, nodes: Records, segments: Records, first: Index, near: In
                     ways[t] = to
             else:
                 xi, eta, height = gap(segment["triangle"], c, p, xi, eta)
-                if half - height > ROUND_OFF * size(c) and beyond(segment["triangle"], xi, eta) <= maxpar - 1.0:
+                if (
+                    half - height > ROUND_OFF * size(c)
+                    and beyond(segment["triangle"], xi, eta) <= maxpar - 1.0
+                ):
                     ways[t] = scale(half - height, n)
     return ways

@@ -43,14 +43,14 @@ def look(
         half = half_thickness(node, segment)
         low, high = box(x, segment)
         bound = outside(p, low, high) - half
-        if (bound > step and bound >= least) or touched(touches, s, node["count"]):
+        if (bound > step and bound >= least and not start) or touched(touches, s, node["count"]):
             continue
         guess_xi, guess_eta = first_guess(segment["triangle"])
         xi, eta, out, away, n = place(x, segment, p, guess_xi, guess_eta)
         free = np.sqrt(dot(away, away)) - half
         if again(x, segments, touches, node["count"], s, out > 0.0 and half > 0.0, n, first, beside):
             continue
-        if free <= step and node["count"] < MOST:
+        if (free <= step or start) and node["count"] < MOST:
             side = begins(x, v, dt, segment, node, p, xi, eta, free, maxpar, start, easing)
             if side != 0.0 and hold(x, node, touches, s, side, xi, eta, segments, first, beside, maxpar):
                 if easing:

@@ -19,5 +19,7 @@ class Options:
     vdc: float = 0.0  # percent of critical damping
     bt: float = 0.0  # birth and death
     dt: float = 1e20
-    maxpar: float = 1.025  # a segment reaches this far in xi and eta, so that nothing slips through between two
+    maxpar: float = (
+        1.025  # a segment reaches this far in xi and eta, so that nothing slips through between two
+    )
     ignore: bool = False  # an initial penetration is kept as an offset of the gap

@@ -30,7 +30,10 @@ def push(
     """Add the force of a touch that lies where it is at t_n, and its work over the second half of the step."""
     row, segment = node["row"], segments[touch["segment"]]
     weights = shape(segment["triangle"], touch["xi"], touch["eta"])
-    n, velocity = (touch["normal"][0], touch["normal"][1], touch["normal"][2]), relative(v, row, segment, weights)
+    n, velocity = (
+        (touch["normal"][0], touch["normal"][1], touch["normal"][2]),
+        relative(v, row, segment, weights),
+    )
     k = stiffness(node, segment, mass, rule["sofscl"], rule["longest"])
     touch["ease"] = min(touch["ease"], -touch["gap"])
     pressing = k * (-touch["gap"] - touch["ease"])

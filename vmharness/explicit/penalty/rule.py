@@ -12,7 +12,10 @@ RULE = np.dtype(
         ("friction", np.bool_),
         ("start", np.bool_),  # the first cycle: nothing has come from anywhere yet
         ("longest", np.float64),  # step so far
-        ("travel", np.float64),  # how far nodes and segments can have moved against each other since they were sorted
+        (
+            "travel",
+            np.float64,
+        ),  # how far nodes and segments can have moved against each other since they were sorted
         ("margin", np.float64),  # how far they may, before what was found is no longer all there is
     ],
     align=True,

@@ -16,4 +16,6 @@ class Segments:
     penalty: Array  # (ns,) stiffness, SLSFAC SFSB K A/d of a shell or SLSFAC SFSB K A^2/V of a solid
     thickness: Array  # (ns,) of the shell; zero for solids, and where mid-surfaces touch
     release: Array  # (ns,) depth beyond which a node is let go; infinity where none is
-    two_sided: NDArray[np.bool_]  # (ns,) touched from the side that a node comes from; else from the front alone
+    two_sided: NDArray[
+        np.bool_
+    ]  # (ns,) touched from the side that a node comes from; else from the front alone

@@ -3,9 +3,9 @@
     SOFT 0   k = min(k_segment, k_node)                       (PENOPT 1)
     SOFT 1   k = max(that, SOFSCL m* / dt^2)                  m* the least mass of the node and the segment's nodes
 
-`k_segment` and `k_node` carry SLSFAC and SFSA or SFSB. SOFT 1 is the reading of "k1 from nodal masses and the time step,
-m* = min(m_master nodes, m_slave node)" (LSTC, FAQ contact.soft1). dt is the longest step so far: with a step that
-shrinks, the stiffness stays, and no energy is made. Nodes without mass are held by something: they set none.
+`k_segment` and `k_node` carry SLSFAC and SFSA or SFSB. SOFT 1 is our reading of LSTC's FAQ contact.soft1, which has a
+stiffness from nodal masses and the time step, with the least of the masses. dt is the longest step so far: with a step
+that shrinks, the stiffness stays, and no energy is made. Nodes without mass are held by something: they set none.
 """
 
 import numpy as np

@@ -20,7 +20,10 @@ NODE = np.dtype(
         ("thickness", np.float64),
         ("area", np.float64),
         ("count", np.intp),  # of its touches
-        ("clear", np.float64),  # nothing new is touched before surfaces have moved so far since they were sorted
+        (
+            "clear",
+            np.float64,
+        ),  # nothing new is touched before surfaces have moved so far since they were sorted
         ("force", np.float64, 3),  # sum over its touches
     ],
     align=True,
