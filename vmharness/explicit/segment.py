@@ -34,6 +34,15 @@ def corners(field: Array, nodes: NDArray[np.intp]) -> Corners:
 
 
 @inlined
+def at_time(c: Corners, v: Corners, back: float) -> Corners:
+    """Corners as they were a time `back` ago, x - back v."""
+    return (
+        subtract(c[0], scale(back, v[0])), subtract(c[1], scale(back, v[1])),
+        subtract(c[2], scale(back, v[2])), subtract(c[3], scale(back, v[3])),
+    )  # fmt: skip
+
+
+@inlined
 def shape(triangle: bool, xi: float, eta: float) -> Weights:
     """N_i(xi, eta)."""
     if triangle:

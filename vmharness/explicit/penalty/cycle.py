@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from vmharness.explicit.compiled import kernel
 from vmharness.explicit.penalty.follow import follow
 from vmharness.explicit.penalty.onset import look
-from vmharness.explicit.penalty.push import half_work, let_go, push
+from vmharness.explicit.penalty.push import push
 from vmharness.explicit.penalty.touch import Record, Records
+from vmharness.explicit.penalty.work import half_work, let_go
 from vmharness.explicit.state import Array
 
 Index = NDArray[np.intp]
@@ -42,7 +43,7 @@ def cycle(
             continue
         own = touches[t]
         for k in range(node["count"]):
-            half_work(v, dt, node, segments, own[k], account)
+            half_work(x, v, dt, node, segments, own[k], rule, account)
         node["force"][0] = node["force"][1] = node["force"][2] = 0.0
         if keep_up(x, node, own, segments, first, beside, rule["maxpar"], account) or sorted_now:
             node["clear"] = 0.0

@@ -10,7 +10,9 @@ What slips, ds, dissipates (|f_{n-1}| + |f_n|)/2 |ds|; what sticks is a spring a
 import numpy as np
 
 from vmharness.explicit.compiled import kernel
-from vmharness.explicit.segment import Corners, tangents
+from vmharness.explicit.penalty.touch import Record
+from vmharness.explicit.segment import Corners, at_time, corners, tangents
+from vmharness.explicit.state import Array
 from vmharness.explicit.vector import (
     Vector,
     add,
@@ -23,6 +25,30 @@ from vmharness.explicit.vector import (
     subtract,
     unit,
 )
+
+
+@kernel
+def rub(
+    x: Array, v: Array, dt: float, node: Record, segment: Record, touch: Record, rule: Record, account: Array,
+    k: float, pressing: float, velocity: Vector, n: Vector,
+) -> Vector:  # fmt: skip
+    """The friction force; what slips is taken from the contact's energy to the friction's."""
+    sliding = tangential(velocity, n)
+    nodes, slip = segment["nodes"], (touch["slip"][0], touch["slip"][1], touch["slip"][2])
+    if dot(slip, slip) > 0.0:
+        new = corners(x, nodes)
+        old = at_time(new, corners(v, nodes), dt)
+        slip = turned(segment["triangle"], old, new, touch["xi"], touch["eta"], slip, n)
+    speed = dot(sliding, sliding) ** 0.5
+    most = limit(pressing, speed, rule["fs"], rule["fd"], rule["dc"], rule["vc"] * node["area"])
+    slip, slipped = stretch(slip, scale(dt, sliding), k, most)
+    shear = k * dot(slip, slip) ** 0.5
+    dissipated = 0.5 * (touch["shear"] + shear) * slipped
+    account[0] -= dissipated
+    account[1] += dissipated
+    touch["shear"] = shear
+    touch["slip"][0], touch["slip"][1], touch["slip"][2] = slip
+    return scale(-k, slip)
 
 
 @inlined

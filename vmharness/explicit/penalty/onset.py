@@ -15,9 +15,19 @@ from vmharness.explicit.penalty.bucket import box, outside
 from vmharness.explicit.penalty.follow import SMOOTH, follow, touched
 from vmharness.explicit.penalty.place import first_guess, half_thickness, place
 from vmharness.explicit.penalty.touch import MOST, Record, Records
-from vmharness.explicit.segment import Corners, at, beyond, corners, interpolate, normal, project, shape
+from vmharness.explicit.segment import (
+    Corners,
+    at,
+    at_time,
+    beyond,
+    corners,
+    interpolate,
+    normal,
+    project,
+    shape,
+)
 from vmharness.explicit.state import Array
-from vmharness.explicit.vector import Vector, add, cross, dot, inlined, scale, subtract
+from vmharness.explicit.vector import Vector, cross, dot, inlined, scale, subtract
 
 Index = NDArray[np.intp]
 
@@ -123,11 +133,8 @@ def begins(
         behind = now < half and (easing or half - now <= ROUND_OFF * size(c))
         return 1.0 if behind and beyond(triangle, xi, eta) <= maxpar - 1.0 else 0.0
 
-    back = (
-        before(c[0], v, nodes[0], dt), before(c[1], v, nodes[1], dt),
-        before(c[2], v, nodes[2], dt), before(c[3], v, nodes[3], dt),
-    )  # fmt: skip
-    old_xi, old_eta, old = gap(triangle, back, before(p, v, node["row"], dt), xi, eta)
+    back = at_time(c, corners(v, nodes), dt)
+    old_xi, old_eta, old = gap(triangle, back, subtract(p, scale(dt, at(v, node["row"]))), xi, eta)
     side = 1.0
     if segment["two_sided"]:
         side = 1.0 if old >= 0.0 else -1.0
@@ -148,12 +155,6 @@ def gap(triangle: bool, c: Corners, p: Vector, xi: float, eta: float) -> tuple[f
     xi, eta = project(triangle, c, p, xi, eta)
     n = normal(triangle, c, xi, eta)
     return xi, eta, dot(subtract(p, interpolate(c, shape(triangle, xi, eta))), n)
-
-
-@inlined
-def before(position: Vector, v: Array, row: int, dt: float) -> Vector:
-    """x_{n-1} = x_n - dt v_{n-1/2}."""
-    return add(position, scale(-dt, at(v, row)))
 
 
 @inlined
