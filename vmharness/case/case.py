@@ -100,13 +100,13 @@ class Case:
         return replace(self, planted=self.with_given(changes).deck_parameters())
 
     def _moves_deck(self, datum: str) -> bool:
-        return any(datum in self._origins(f"parameter {name}") for name in self.file.deck.parameters)
+        return any(datum in self.origins(f"parameter {name}") for name in self.file.deck.parameters)
 
-    def _origins(self, formula: str) -> frozenset[str]:
+    def origins(self, formula: str) -> frozenset[str]:
         """The given data on which a formula depends, through all the theory between."""
         origins: frozenset[str] = frozenset()
         for name in self.formulas[formula].names:
-            origins |= {name} if name in self.given else self._origins(name)
+            origins |= {name} if name in self.given else self.origins(name)
         return origins
 
 
