@@ -19,6 +19,7 @@ LAYERS = [
     {"run"},
     {"report"},
     {"suite"},
+    {"study"},
     {"cli"},
     {"__main__"},
 ]

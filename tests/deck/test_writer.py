@@ -120,3 +120,14 @@ def test_includes_are_flat_and_parameters_are_values(tmp_path: Path) -> None:
     assert again.one("SET_NODE_LIST").title == "all"
     assert again.one("CONTROL_CONTACT").slsfac == pytest.approx(0.7 / 3, rel=1e-15)
     assert len(text.split("*CONTROL_CONTACT\n")[1].split("*END")[0].splitlines()) == 2  # no optional card
+
+
+def test_a_card_that_is_not_there_is_not_written(tmp_path: Path) -> None:
+    """Trusses and beams have one field A, each on a card of its own."""
+    deck = tmp_path / "deck.k"
+    deck.write_text("*KEYWORD\n*SECTION_BEAM\n1,2\n1.0,2.0,3.0,4.0\n2,3\n5.0\n*END\n")
+    long = tmp_path / "long.k"
+    long.write_text(write_long(read(deck, VOCABULARY)))
+    beam, truss = read(long, VOCABULARY).all("SECTION_BEAM")
+    assert (beam.secid, beam.a, beam.iss, beam.itt, beam.j) == (1, 1.0, 2.0, 3.0, 4.0)
+    assert (truss.secid, truss.a) == (2, 5.0)

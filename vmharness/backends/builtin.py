@@ -32,12 +32,13 @@ PROGRESS_EVERY = 1000  # cycles
 
 
 def read_deck(case: Case) -> Deck:
-    """The case's deck, with its parameters replaced where the data were changed."""
+    """The case's deck, with its parameters replaced where the data were changed, or the one set in its place."""
     return read(
         case.deck_path,
         vocabulary(*FOLDERS),
         parameters=case.deck_parameters(),
         include_outside=case.file.deck.include_outside,
+        text=case.deck_text,
     )
 
 
@@ -63,7 +64,7 @@ def solve(case: Case, progress: Callable[[float], None] | None = None) -> Soluti
         notes=tuple(deck.notes),
         files=deck.files,
         view=view,
-        resolved_deck=write_long(deck) if case.deck_parameters() else "",
+        resolved_deck=case.deck_text or (write_long(deck) if case.deck_parameters() else ""),
     )
 
 

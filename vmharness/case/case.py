@@ -31,6 +31,7 @@ class Case:
     theory: Mapping[str, float]
     changed: frozenset[str] = frozenset()  # data that are not those of the file
     planted: dict[str, float] = field(default_factory=dict)  # parameters of a deck wrong on purpose
+    deck_text: str = ""  # a deck to run in place of the folder's, all its numbers in it
 
     @property
     def values(self) -> dict[str, float]:
@@ -91,6 +92,8 @@ class Case:
 
         All, so that nothing of the file's rounding is left in a deck whose theory has other numbers.
         """
+        if self.deck_text:
+            return {}
         if not self.changed:
             return dict(self.planted)
         return {name: self.evaluate(f"parameter {name}") for name in self.file.deck.parameters} | self.planted
@@ -98,6 +101,10 @@ class Case:
     def with_deck_of(self, changes: Mapping[str, float]) -> "Case":
         """The same case, its theory untouched, with the deck that other data would have: wrong on purpose."""
         return replace(self, planted=self.with_given(changes).deck_parameters())
+
+    def with_deck(self, text: str) -> "Case":
+        """The same case with the deck `text` in place of its own, which is run as it is."""
+        return replace(self, deck_text=text)
 
     def _moves_deck(self, datum: str) -> bool:
         return any(datum in self.origins(f"parameter {name}") for name in self.file.deck.parameters)

@@ -22,12 +22,14 @@ def read(
     vocabulary: Vocabulary,
     parameters: Mapping[str, float] | None = None,
     include_outside: bool = False,
+    text: str = "",
 ) -> Deck:
     """Read a deck in LS-DYNA keyword format; fixed, comma and long format, line by line.
 
     `parameters` replace values of *PARAMETER (names in any case) at full precision, before any
     *PARAMETER_EXPRESSION is evaluated. Files outside the deck's folder are included only if
     `include_outside`. Parameters count from their definition on, as in LS-DYNA.
+    `text` is read in place of the file at `path`, if given.
 
     Raises DeckError, with file and line, for anything that is wrong or not in `vocabulary`.
     """
@@ -36,7 +38,7 @@ def read(
     values: dict[str, Value] = {}
     found: list[Entry] = []
     notes: dict[str, None] = {}  # in order, each once
-    source = Source(path, include_outside)
+    source = Source(path, include_outside, text)
     for block in source.blocks():
         if block.name == "KEYWORD":
             notes.update(_keyword_notes(block))

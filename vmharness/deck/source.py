@@ -14,9 +14,13 @@ MOST_BYTES = 2**29  # of all files together
 
 
 class Source:
-    """Reads a deck's files; `files` maps the name of each, relative to the deck's folder, to its SHA-256."""
+    """Reads a deck's files; `files` maps the name of each, relative to the deck's folder, to its SHA-256.
 
-    def __init__(self, path: Path, include_outside: bool) -> None:
+    `text` stands in place of the file at `path`, if given.
+    """
+
+    def __init__(self, path: Path, include_outside: bool, text: str = "") -> None:
+        self.text = text
         self.path = path
         self.folder = path.parent.resolve()
         self.include_outside = include_outside
@@ -26,7 +30,7 @@ class Source:
     def blocks(self) -> Iterator[Block]:
         """The blocks of the deck in the order in which they take effect, those of includes in their place."""
         name = self.path.name
-        if not self.path.is_file():
+        if not self.text and not self.path.is_file():
             raise DeckError("no such file", name)
         yield from self._file(self.folder / name, (), False, DeckError("", name))
 
@@ -70,6 +74,9 @@ class Source:
         raise _at(place, "no such file in the deck's folder")
 
     def _text(self, path: Path, name: str, place: DeckError) -> str:
+        if self.text and path == self.folder / self.path.name:
+            self.files[name] = hashlib.sha256(self.text.encode()).hexdigest()
+            return self.text
         try:
             self.bytes += path.stat().st_size
             if self.bytes > MOST_BYTES:

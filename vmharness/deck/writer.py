@@ -28,6 +28,8 @@ def write_long(deck: Deck) -> str:
 def entry_lines(entry: Entry) -> Iterator[str]:
     """The data lines of one entry; cards that were not read are not written."""
     for card in entry.keyword.group(entry.suffix):
+        if card.when and not card.when(entry):
+            continue  # its fields may stand on a card that is there instead
         kept = [name for name in card.fields if name[0] != "_"]
         if not kept or any(name in entry.lines for name in kept):
             yield card_line(card, entry.values)

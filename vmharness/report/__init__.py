@@ -19,11 +19,14 @@ def write_case(run: CaseRun, folder: Path, volatile: bool = True, indexed: bool 
     """
     from vmharness.report.page import page
     from vmharness.report.prose import pictures
+    from vmharness.report.section import sections
 
     indexed = indexed or all((folder / form.FILE).is_file() for form in dropins.modules(PAGES))
-    content, to = page(run, volatile, indexed), folder / run.case.id
+    to = folder / run.case.id
+    content = page(run, volatile, indexed, sections(run.case, to))
     texts = {to / form.FILE: form.case(content, to) for form in dropins.modules(PAGES)}
-    for figure in filter(None, [content.model, *content.histories]):
+    studied = [figure for section in content.studies for figure in section.figures]
+    for figure in filter(None, [content.model, *content.histories, *studied]):
         texts[to / f"{figure.name}.svg"] = figure.svg
     for name, picture in pictures(run.case).items():
         texts[to / name] = picture.read_text(encoding="utf-8")

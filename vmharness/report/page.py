@@ -1,6 +1,6 @@
 """The page of a case: what every format of it shows, with nothing of how it is written."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from vmharness.case import Case, CaseError
@@ -12,6 +12,7 @@ from vmharness.formula import Formula, Unit
 from vmharness.report.figures import histories, model
 from vmharness.report.figures.curves import Curve, curves
 from vmharness.report.prose import sections
+from vmharness.report.section import Figure, Section
 from vmharness.report.solver import short_name
 from vmharness.result import CaseRun, Row
 
@@ -35,15 +36,6 @@ class TheoryLine:
     formula: Formula
     value: float | None
     unit: Unit
-
-
-@dataclass(frozen=True)
-class Figure:
-    """A drawing: the stem of its file, its caption, its <svg> element."""
-
-    name: str
-    caption: str
-    svg: str
 
 
 @dataclass(frozen=True)
@@ -71,11 +63,12 @@ class Page:
     sensitivity: Mapping[str, Mapping[str, Sensitivity]]  # by datum, then by key of the result
     model: Figure | None
     histories: list[Figure]
+    studies: Sequence[Section]
     volatile: bool  # whether what varies from run to run may be shown
     indexed: bool  # whether an index lies in the folder above
 
 
-def page(run: CaseRun, volatile: bool = True, indexed: bool = False) -> Page:
+def page(run: CaseRun, volatile: bool = True, indexed: bool = False, studies: Sequence[Section] = ()) -> Page:
     """Everything on the page of a run; figures are drawn here, once for all formats."""
     case, solver = run.case, short_name(run.solution.solver)
     return Page(
@@ -92,6 +85,7 @@ def page(run: CaseRun, volatile: bool = True, indexed: bool = False) -> Page:
         sensitivity=sensitivities(case),
         model=_model(run),
         histories=_histories(run, solver),
+        studies=studies,
         volatile=volatile,
         indexed=indexed,
     )

@@ -2,6 +2,7 @@
 
 import datetime
 import platform
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -109,10 +110,20 @@ def _filters() -> dict[str, Callable[..., str]]:
         "short": lambda value: _minus(number.short(value)),
         "decimals": lambda value, places=4: _minus(number.decimals(value, places)),
         "minus": _minus,
+        "signs": _signs,
         "share": number.share,
         "positional": number.positional,
         "unit": lambda text: Unit(text).html() or "–",
     }
+
+
+def _signs(text: str) -> str:
+    """Prose in which the signs of numbers, and those alone, are minus signs.
+
+    >>> _signs("VM-061: -2.5e-3, by-product")
+    'VM-061: −2.5e−3, by-product'
+    """
+    return re.sub(r"(?<!\w)-(?=\d)|(?<=\de)-(?=\d)", "−", text)
 
 
 def _minus(text: str) -> str:

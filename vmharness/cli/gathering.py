@@ -1,0 +1,95 @@
+"""Variants run for a study: progress on a terminal, and how many outcomes came from disk."""
+
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol
+
+from vmharness.cli.options import SOLVER, TIMEOUT
+from vmharness.cli.say import complain, say
+
+if TYPE_CHECKING:
+    from vmharness.study.gather import Plant
+    from vmharness.study.measured import Measured
+    from vmharness.study.variant import Variant
+
+
+@dataclass(frozen=True)
+class How:
+    """In how many processes, how long at most each, by which solver variants are run."""
+
+    jobs: int = 1
+    timeout: float = TIMEOUT
+    solver: str = SOLVER
+
+
+def gathered(
+    variants: Sequence["Variant"], how: How, what: str, plant: "Plant | None" = None
+) -> list["Measured"]:
+    """The outcome of every variant, in their order, while a terminal shows how far `what` is.
+
+    An interrupt is passed on, once it is said that what is done is kept.
+    """
+    from vmharness.study.gather import gather
+    from vmharness.study.measured import Measured
+    from vmharness.suite.message import Progress
+
+    found: dict[int, Measured] = {}
+    try:
+        with _bar(what, len(variants)) as bar:
+            for number, event in gather(variants, how.jobs, how.timeout, how.solver, plant):
+                if isinstance(event, Measured):
+                    found[number] = event
+                    bar(number, 1.0)
+                elif isinstance(event, Progress):
+                    bar(number, event.fraction)
+    except KeyboardInterrupt:
+        complain(
+            f"{len(found)} of {len(variants)} runs are done and kept; the same command goes on from there"
+        )
+        raise
+    cached = sum(outcome.cached for outcome in found.values())
+    say(f"{what}: {len(variants)} runs" + (f", {cached} of them from cache" if cached else ""))
+    return [found[number] for number in range(len(variants))]
+
+
+def write_record(root: Path, case: str, name: str, record: Any, json: Path | None) -> None:
+    """Leave the record of a study for the page of the case, and write the same where --json asks for it."""
+    from vmharness.report import atomic, section
+
+    path = section.write(root, case, name, record)
+    if json is not None:
+        atomic.write(json, path.read_text(encoding="utf-8"))
+    say(f"{path}: `vm run {case}` shows it on the page")
+
+
+class Advance(Protocol):
+    """Shows that a variant is done to a fraction."""
+
+    def __call__(self, number: int, fraction: float) -> None: ...
+
+
+@contextmanager
+def _bar(what: str, count: int) -> Iterator[Advance]:
+    """One bar for all variants, on a terminal only."""
+    if not sys.stdout.isatty():
+        yield lambda number, fraction: None
+        return
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        TextColumn("{task.completed:.1f} of {task.total}"),
+    )
+    fractions: dict[int, float] = {}
+    with Progress(*columns, TimeElapsedColumn(), transient=True) as bars:
+        task = bars.add_task(what, total=count)
+
+        def advance(number: int, fraction: float) -> None:
+            fractions[number] = fraction
+            bars.update(task, completed=sum(fractions.values()))
+
+        yield advance

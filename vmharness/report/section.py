@@ -1,0 +1,67 @@
+"""What a study leaves beside a case's page, and how the page shows it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from vmharness import dropins
+from vmharness.case import Case
+from vmharness.report import atomic
+
+STUDIES = "vmharness.report.studies"
+FOLDER = "studies"
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A drawing: the stem of its file, its caption, its <svg> element."""
+
+    name: str
+    caption: str
+    svg: str
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows of text under a head; columns from `numbers` on are numbers."""
+
+    head: Sequence[str]
+    rows: Sequence[Sequence[str]]
+    numbers: int = 1
+
+
+@dataclass(frozen=True)
+class Section:
+    """A section of the page: paragraphs, then tables, then figures, then remarks."""
+
+    title: str
+    summary: str  # a few words for the index, such as "order 2.00"
+    text: Sequence[str] = ()
+    tables: Sequence[Table] = ()
+    figures: Sequence[Figure] = ()
+    remarks: Sequence[str] = ()
+
+
+def write(root: Path, case: str, name: str, record: Any) -> Path:
+    """Leave the record of a study (a dataclass) for the page of a case; the same record makes the same bytes."""
+    content = msgspec.json.format(msgspec.json.encode(record), indent=1)
+    return atomic.write(root / case / FOLDER / f"{name}.json", content.decode() + "\n")
+
+
+def sections(case: Case, folder: Path) -> list[Section]:
+    """What the studies left in `folder`, where the page of the case lies; nothing for other data than the case's.
+
+    A record that cannot be read, because it is of another version, is left out.
+    """
+    found = []
+    for name in [] if case.changed else dropins.names(STUDIES):
+        path = folder / FOLDER / f"{name}.json"
+        if path.is_file():
+            try:
+                found.append(dropins.module(STUDIES, name).section(path.read_bytes(), case))
+            except msgspec.MsgspecError:
+                continue
+    return found

@@ -1,0 +1,8 @@
+"""Studies on the page of a case, one a file; the folder is the list, and the order on the page.
+
+The study `converge` leaves studies/converge.json beside the page. The module of that name has
+
+    section(content, case) -> Section
+
+which makes of the file's bytes what the page shows.
+"""

@@ -1,0 +1,40 @@
+"""Decks with other entries: what a study changes beyond the parameters that the deck has."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+
+from vmharness.backends.builtin import read_deck
+from vmharness.case import Case
+from vmharness.deck import Deck, Entry, write_long
+from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
+
+
+def with_entries(case: Case, change: Callable[[Deck], Iterable[Entry]]) -> Case:
+    """The case with the entries that `change` makes of its resolved deck's, as a deck that runs elsewhere, too.
+
+    Numbers of more than 20 characters lose their last digits, at most 1e-12 of their value (`write_long`). Raises
+    DeckError where the case's own deck cannot be read.
+    """
+    deck = read_deck(case)
+    return case.with_deck(write_long(replace(deck, entries=list(change(deck)), _by_name={})))
+
+
+def with_step(case: Case, factor: float) -> Case:
+    """The case with `factor` times its time step: TSSFAC, and DTINIT, of *CONTROL_TIMESTEP.
+
+    Raises DeckError where the step follows a curve.
+    """
+    return with_entries(case, lambda deck: _scaled(deck, factor))
+
+
+def _scaled(deck: Deck, factor: float) -> list[Entry]:
+    control = deck.first(CONTROL_TIMESTEP)
+    if control is None:
+        default = {"tssfac": 0.9 * factor, **dict.fromkeys(["dtinit", "tslimt", "dt2ms"], 0.0)}
+        default |= dict.fromkeys(["isdo", "lctm", "erode", "ms1st"], 0)
+        return [Entry(CONTROL_TIMESTEP, "CONTROL_TIMESTEP", "", 0, "", default, {"tssfac": 0}), *deck.entries]
+    if control.lctm:
+        raise control.error("lctm", "a step that follows a curve is not scaled")
+    scaled = {"tssfac": factor * control.tssfac, "dtinit": factor * control.dtinit}
+    other = replace(control, values={**control.values, **scaled})
+    return [other if entry is control else entry for entry in deck.entries]

@@ -1,0 +1,68 @@
+"""A variant of a case: what a study runs, and the key under which its outcome is kept."""
+
+import hashlib
+import json
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import vmharness
+
+if TYPE_CHECKING:
+    from vmharness.case import Case
+
+APART = {"cli", "report", "suite", "study"}  # folders of the package that no measured value depends on
+PROSE = {".md", ".svg", ".png"}
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A case to run: with other data (`Case.with_given`), another deck (`Case.with_deck`), or a fault in the solver.
+
+    `fault` names a planted fault of the solver's own; variants with one never share a process with others.
+    """
+
+    case: "Case"
+    label: str = ""
+    fault: str = ""
+
+    def key(self, solver: str) -> str:
+        """A hash of all that the outcome depends on: case, data, deck, solver and its sources, fault."""
+        case = self.case
+        what = [
+            solver,
+            sources(),
+            _files(case.folder),
+            dict(case.given),
+            case.deck_parameters(),
+            case.deck_text,
+            self.fault,
+        ]
+        return hashlib.sha256(json.dumps(what, sort_keys=True).encode()).hexdigest()
+
+
+@cache
+def sources() -> str:
+    """A hash of every source of the package that a measured value may depend on, and of the compiler's ground."""
+    from vmharness.explicit.cache import folder
+
+    package = Path(vmharness.__file__).parent
+    paths = [path.relative_to(package) for path in package.rglob("*.py")]
+    kept = sorted(path for path in paths if path.parts[0] not in APART)
+    return _digest(package, kept) + folder().name
+
+
+@cache
+def _files(folder: Path) -> str:
+    """A hash of the case's files, without prose and pictures."""
+    paths = [path.relative_to(folder) for path in folder.rglob("*") if path.is_file()]
+    return _digest(folder, sorted(path for path in paths if path.suffix not in PROSE))
+
+
+def _digest(folder: Path, paths: list[Path]) -> str:
+    digest = hashlib.sha256()
+    for path in paths:
+        digest.update(f"{path.as_posix()}\0".encode())
+        digest.update((folder / path).read_bytes())
+    return digest.hexdigest()
