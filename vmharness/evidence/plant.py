@@ -83,16 +83,17 @@ def of_module(module: ModuleType) -> Plant:
     )
 
 
-def plant(fault: Plant) -> None:
-    """Make this process import the faulty module; raises PlantError where that is too late or not possible."""
-    fault.planted(source_of(fault.module))
-    kernels = fault.module.startswith(f"{KERNELS}.")
-    for module in [fault.module, *([f"{KERNELS}.compiled"] if kernels else [])]:
+def plant(name: str) -> None:
+    """Make this process import a faulty module; raises PlantError where that is too late or not possible."""
+    chosen = fault(name)
+    chosen.planted(source_of(chosen.module))
+    kernels = chosen.module.startswith(f"{KERNELS}.")
+    for module in [chosen.module, *([f"{KERNELS}.compiled"] if kernels else [])]:
         if module in sys.modules:
-            raise PlantError(f"{fault.name}: {module} is imported already: plant it in a new process")
+            raise PlantError(f"{chosen.name}: {module} is imported already: plant it in a new process")
     if kernels:
-        os.environ[VARIABLE] = fault.digest
-    sys.meta_path.insert(0, _Finder(fault))
+        os.environ[VARIABLE] = chosen.digest
+    sys.meta_path.insert(0, _Finder(chosen))
 
 
 def source_of(module: str) -> str:
