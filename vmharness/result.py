@@ -93,7 +93,7 @@ class Solution:
     notes: tuple[str, ...] = ()  # what was read without effect
     files: Mapping[str, str] = field(default_factory=dict)  # sha256 by name: the deck and what it includes
     view: View | None = None
-    resolved_deck: str = ""  # the deck in long format, where its parameters were changed
+    resolved_deck: str = ""  # the deck that ran, where it is not that of the case's folder
 
 
 @dataclass(frozen=True)
@@ -127,7 +127,7 @@ class CaseRun:
     @property
     def included(self) -> dict[str, str]:
         """SHA-256 of every file that the deck includes, by its name relative to the deck's folder."""
-        return {name: sha for name, sha in self.solution.files.items() if name != self.case.deck_path.name}
+        return {name: sha for name, sha in self.solution.files.items() if name != self.case.deck_name}
 
     @property
     def groups(self) -> list[tuple[str, list[Row]]]:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness import __version__
-from vmharness.case import Case
+from vmharness.case import Case, CaseError
 from vmharness.case.format import Channel
 from vmharness.deck import Deck, DeckError, read, vocabulary, write_long
 from vmharness.explicit import probe
@@ -34,11 +34,11 @@ PROGRESS_EVERY = 1000  # cycles
 def read_deck(case: Case) -> Deck:
     """The case's deck, with its parameters replaced where the data were changed, or the one set in its place."""
     return read(
-        case.deck_path,
+        case.folder / case.deck_name,
         vocabulary(*FOLDERS),
         parameters=case.deck_parameters(),
         include_outside=case.file.deck.include_outside,
-        text=case.deck_text,
+        text=case.deck_source(),
     )
 
 
@@ -49,7 +49,7 @@ def solve(case: Case, progress: Callable[[float], None] | None = None) -> Soluti
         deck = read_deck(case)
         model = build(deck)
         probes = {name: probe_of(model, channel) for name, channel in case.file.channels.items()}
-    except (DeckError, ProbeError) as error:
+    except (CaseError, DeckError, ProbeError) as error:
         return Solution(SOLVER, None, str(error))
     view = view_of(deck, model)  # before the nodes move
     history, failure, seconds = record(model, probes, progress)
@@ -64,7 +64,7 @@ def solve(case: Case, progress: Callable[[float], None] | None = None) -> Soluti
         notes=tuple(deck.notes),
         files=deck.files,
         view=view,
-        resolved_deck=case.deck_text or (write_long(deck) if case.deck_parameters() else ""),
+        resolved_deck=write_long(deck) if case.deck_parameters() else case.deck_source(),
     )
 
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from vmharness.case.error import CaseError
 from vmharness.case.format import CaseFile, Published, Result
+from vmharness.case.template import SUFFIX, render
 from vmharness.formula import Dimension, Formula, FormulaError, UnitSystem
 
 Array = NDArray[np.float64]
@@ -42,6 +43,26 @@ class Case:
     def deck_path(self) -> Path:
         """The deck as it lies in the folder."""
         return self.folder / self.file.deck.file
+
+    @property
+    def deck_name(self) -> str:
+        """The name of the deck that runs: of a template, that of what is made of it."""
+        return self.file.deck.file.removesuffix(SUFFIX)
+
+    @property
+    def input_files(self) -> list[str]:
+        """Names of the files of the folder beside the deck that runs: further input, a template, case.toml."""
+        template = [] if self.deck_name == self.file.deck.file else [self.file.deck.file]
+        return [*self.file.files, *template, "case.toml"]
+
+    def deck_source(self) -> str:
+        """The deck that runs in place of the folder's: one that was set, or made of a template; else nothing.
+
+        Raises CaseError where the template is wrong.
+        """
+        if self.deck_text or not self.file.deck.file.endswith(SUFFIX):
+            return self.deck_text
+        return render(self.deck_path, {name: self.evaluate(f"mesh {name}") for name in self.file.deck.mesh})
 
     @property
     def published(self) -> list[Published]:
@@ -81,7 +102,7 @@ class Case:
             if name not in self.given:
                 raise CaseError(f"{self.id}: no given datum {name}; there are: {', '.join(self.given)}")
             if not self._moves_deck(name):
-                raise CaseError(f"{self.id}: {name} cannot be set: no parameter of the deck depends on it")
+                raise CaseError(f"{self.id}: {name} cannot be set: nothing in the deck depends on it")
         given = {**self.given, **changes}
         theory = evaluate_theory(self.id, self.file, given, self.formulas)
         changed = self.changed | {name for name in changes if changes[name] != self.given[name]}
@@ -107,7 +128,9 @@ class Case:
         return replace(self, deck_text=text)
 
     def _moves_deck(self, datum: str) -> bool:
-        return any(datum in self.origins(f"parameter {name}") for name in self.file.deck.parameters)
+        follow = [f"parameter {name}" for name in self.file.deck.parameters]
+        follow += [f"mesh {name}" for name in self.file.deck.mesh]
+        return any(datum in self.origins(name) for name in follow)
 
     def origins(self, formula: str) -> frozenset[str]:
         """The given data on which a formula depends, through all the theory between."""

@@ -145,13 +145,38 @@ class Fault(Table, frozen=True):
 class Deck(Table, frozen=True):
     """The deck, and how the given data set its parameters."""
 
-    file: Text = "deck.k"
+    file: Annotated[
+        Text,
+        Meta(description="The deck, or with the suffix .j2 a template that knows the names of `mesh`"),
+    ] = "deck.k"
     parameters: Annotated[
         dict[Name, Formula], Meta(description="*PARAMETER of the deck, as a formula over data and theory")
+    ] = {}
+    mesh: Annotated[
+        dict[Name, Formula], Meta(description="What the template of the deck makes its mesh of, by name")
     ] = {}
     include_outside: Annotated[
         bool, Meta(description="Whether *INCLUDE may name files outside the deck's folder")
     ] = False
+
+
+class Converge(Table, frozen=True):
+    """What is refined to see the order of accuracy: levels N, from coarse to fine, and the data that follow."""
+
+    refined: Literal["time step", "mesh", "both"]
+    levels: Annotated[
+        list[Positive], Meta(min_length=3, description="Values of N, such as numbers of elements, rising")
+    ]
+    size: Annotated[Formula, Meta(description="The step or element size that N stands for")]
+    set: Annotated[
+        dict[Name, Formula], Meta(min_length=1, description="Given data at each level, as formulas of N")
+    ]
+    orders: Annotated[
+        dict[Name, Positive],
+        Meta(min_length=1, description="The order that theory promises, by key of the result"),
+    ]
+    because: Annotated[Text, Meta(description="Why theory promises these orders")]
+    held: Annotated[str, Meta(description="What stays the same from level to level, and why it must")] = ""
 
 
 class CaseFile(Table, frozen=True):
@@ -179,6 +204,7 @@ class CaseFile(Table, frozen=True):
     ] = "analytic"
     budget: list[Budget] = []
     published: list[Published] = []
+    converge: Converge | None = None
     files: Annotated[list[Text], Meta(description="Further input files to offer beside the deck")] = []
 
 

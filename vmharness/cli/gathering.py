@@ -3,26 +3,16 @@
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
-from vmharness.cli.options import SOLVER, TIMEOUT
+from vmharness.cli.options import How
 from vmharness.cli.say import complain, say
 
 if TYPE_CHECKING:
     from vmharness.study.gather import Plant
     from vmharness.study.measured import Measured
     from vmharness.study.variant import Variant
-
-
-@dataclass(frozen=True)
-class How:
-    """In how many processes, how long at most each, by which solver variants are run."""
-
-    jobs: int = 1
-    timeout: float = TIMEOUT
-    solver: str = SOLVER
 
 
 def gathered(

@@ -1,7 +1,9 @@
 """Options of a run, checked where they are read; nothing of the solvers or reports is imported for that."""
 
+import functools
 import os
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from pkgutil import iter_modules
 from typing import Any, TypeVar
@@ -19,38 +21,78 @@ FILE = click.Path(dir_okay=False, path_type=Path)
 FOLDER = click.Path(file_okay=False, path_type=Path)
 
 
+@dataclass(frozen=True)
+class How:
+    """In how many processes, how long at most each, by which solver the variants of a study are run."""
+
+    jobs: int = 1
+    timeout: float = TIMEOUT
+    solver: str = SOLVER
+
+
 def running(command: Command) -> Command:
     """Add -j, --solver, --set and --timeout."""
+    data = click.option(
+        "--set",
+        "data",
+        multiple=True,
+        metavar="NAME=VALUE",
+        callback=_data,
+        help="Other data, for theory and deck; reports go to runs/.",
+    )
     for option in (
-        click.option(
-            "--timeout",
-            type=click.FloatRange(0, min_open=True),
-            default=TIMEOUT,
-            metavar="SECONDS",
-            help=f"Time limit of a case.  [default: {TIMEOUT:g}]",
-        ),
-        click.option(
-            "--set",
-            "data",
-            multiple=True,
-            metavar="NAME=VALUE",
-            callback=_data,
-            help="Other data, for theory and deck; reports go to runs/.",
-        ),
-        click.option(
-            "--solver", default=SOLVER, metavar="NAME", callback=_solver, help=f"[default: {SOLVER}]"
-        ),
-        click.option(
-            "-j",
-            "--jobs",
-            default="1",
-            metavar="N",
-            callback=_jobs,
-            help="Worker processes; auto: one a core.",
-        ),
+        _timeout(),
+        data,
+        _solver_option(),
+        _jobs_option("1", "Worker processes; auto: one a core."),
     ):
         command = option(command)
     return command
+
+
+def studying(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Add -j, --solver and --timeout, which come as one `how`, and --out and --json."""
+
+    @functools.wraps(command)
+    def together(jobs: int, timeout: float, solver: str, **others: Any) -> Any:
+        return command(how=How(jobs, timeout, solver), **others)
+
+    options = (
+        click.option("--json", type=FILE, metavar="FILE", help="Write what is found as JSON, too."),
+        click.option(
+            "--out",
+            type=FOLDER,
+            default=Path("reports"),
+            metavar="DIR",
+            help="Folder of the reports.  [default: reports]",
+        ),
+        _timeout(),
+        _solver_option(),
+        _jobs_option("auto", "Worker processes.  [default: one a core]"),
+    )
+    for option in options:
+        together = option(together)
+    return together
+
+
+def _timeout() -> Callable[[Command], Command]:
+    return click.option(
+        "--timeout",
+        type=click.FloatRange(0, min_open=True),
+        default=TIMEOUT,
+        metavar="SECONDS",
+        help=f"Time limit of a case.  [default: {TIMEOUT:g}]",
+    )
+
+
+def _solver_option() -> Callable[[Command], Command]:
+    return click.option(
+        "--solver", default=SOLVER, metavar="NAME", callback=_solver, help=f"[default: {SOLVER}]"
+    )
+
+
+def _jobs_option(default: str, help: str) -> Callable[[Command], Command]:
+    return click.option("-j", "--jobs", default=default, metavar="N", callback=_jobs, help=help)
 
 
 def formats(command: Command) -> Command:

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from rich.table import Table
 
+    from vmharness.report.section import Table as Rows
+
 WIDTH_OF_A_PIPE = 160
 RIGHT = {"Target", "Computed", "Value", "Cycles", "Seconds"} | {
     f"{name} (%)" for name in ("Error", "Used", "Tolerance", "Tolerance used", "Budget")
@@ -36,6 +38,21 @@ def say_table(table: "Table") -> None:
         console.print(table)
     lines = [line.rstrip() for line in captured.get().splitlines()]
     say("\n".join(["", *filter(None, lines)]))
+
+
+def say_rows(rows: "Rows") -> None:
+    """Print a table of a study, as its page has it."""
+    from rich.box import SIMPLE_HEAD
+    from rich.table import Column, Table
+
+    columns = [
+        Column(name, justify="right" if number >= rows.numbers else "left", no_wrap=number == 0)
+        for number, name in enumerate(rows.head)
+    ]
+    table = Table(*columns, box=SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False, header_style="bold")
+    for row in rows.rows:
+        table.add_row(*row)
+    say_table(table)
 
 
 def plain_table(first: str, *others: str) -> "Table":

@@ -24,10 +24,10 @@ class Move:
 
 def in_deck(case: Case, datum: str) -> bool:
     """Whether the problem that the deck poses, and not only the length of its run, follows from a given datum."""
-    parameters = case.file.deck.parameters.items()
-    return any(
-        datum in case.origins(f"parameter {name}") for name, formula in parameters if formula != RUN_LENGTH
-    )
+    deck = case.file.deck
+    follow = [f"parameter {name}" for name, formula in deck.parameters.items() if formula != RUN_LENGTH]
+    follow += [f"mesh {name}" for name in deck.mesh]
+    return any(datum in case.origins(name) for name in follow)
 
 
 def planted(case: Case, fault: Fault) -> Case:

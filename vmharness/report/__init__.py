@@ -31,7 +31,7 @@ def write_case(run: CaseRun, folder: Path, volatile: bool = True, indexed: bool 
     for name, picture in pictures(run.case).items():
         texts[to / name] = picture.read_text(encoding="utf-8")
     if run.solution.resolved_deck:
-        texts[to / run.case.file.deck.file] = run.solution.resolved_deck
+        texts[to / run.case.deck_name] = run.solution.resolved_deck
     return [atomic.write(path, text) for path, text in texts.items()]
 
 

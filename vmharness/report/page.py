@@ -142,7 +142,7 @@ def _model(run: CaseRun) -> Figure | None:
     if run.solution.view is None:
         return None
     drawing = model.draw(run.solution.view, run.case.id, _acceleration(run.case))
-    return Figure("model", f"The model as read from {run.case.file.deck.file}", drawing)
+    return Figure("model", f"The model as read from {run.case.deck_name}", drawing)
 
 
 def _acceleration(case: Case) -> str:

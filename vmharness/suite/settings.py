@@ -46,7 +46,7 @@ def with_settings(case: "Case", settings: Mapping[str, float]) -> "Case":
     factor = {name: case.units.factor(case.file.given[name].unit) for name in settings}
     changed = case.with_given({name: value * factor[name] for name, value in settings.items()})
     for name in changed.formulas:
-        if not name.startswith("curve "):  # curves have a value at a time only
+        if not name.startswith(("curve ", "converge ")):  # these have a value at a time, or a level, only
             changed.evaluate(name)
     return changed
 

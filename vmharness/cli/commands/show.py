@@ -91,11 +91,12 @@ def _deck(case: "Case") -> None:
     from collections import Counter
 
     from vmharness.backends.builtin import read_deck
+    from vmharness.case import CaseError
     from vmharness.deck import DeckError
 
     try:
         deck = read_deck(case)
-    except DeckError as error:
+    except (CaseError, DeckError) as error:
         say(f"deck: {error}")
         return
     rows: Counter[str] = Counter()
@@ -103,7 +104,7 @@ def _deck(case: "Case") -> None:
         if "nid" in entry.values or "eid" in entry.values:
             rows[entry.keyword.name] += len(entry.values["eid" if "eid" in entry.values else "nid"])
     keywords = Counter(entry.keyword.name for entry in deck.entries)
-    say(f"{case.deck_path.name}: {deck.title}")
+    say(f"{case.deck_name}: {deck.title}")
     say("parameters: " + ", ".join(f"{name} = {value}" for name, value in deck.parameters.items()))
     say("model: " + ", ".join(f"{count} *{name}" for name, count in rows.items()))
     say("keywords: " + ", ".join(f"*{name}" + (f" ({n})" if n > 1 else "") for name, n in keywords.items()))

@@ -43,9 +43,9 @@ def case(page: Page, folder: Path) -> str:
 def _inputs(run: CaseRun) -> dict[str, bytes]:
     """What was put into the run, by name: the deck is the one that ran."""
     case = run.case
-    files = {name: (case.folder / name).read_bytes() for name in (*case.file.files, "case.toml")}
+    files = {name: (case.folder / name).read_bytes() for name in case.input_files}
     deck = run.solution.resolved_deck.encode() or case.deck_path.read_bytes()
-    return {case.file.deck.file: deck, **files}
+    return {case.deck_name: deck, **files}
 
 
 def index(index: Index) -> str:

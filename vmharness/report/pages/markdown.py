@@ -31,9 +31,9 @@ def case(page: Page, folder: Path) -> str:
 def _inputs(run: CaseRun, folder: Path) -> list[tuple[str, str]]:
     """Links to what was put into the run; a deck that is not the case's own lies beside the page."""
     case = run.case
-    deck = folder / case.file.deck.file if run.solution.resolved_deck else case.deck_path
-    paths = {name: case.folder / name for name in (*case.file.files, "case.toml")}
-    return [(name, _relative(path, folder)) for name, path in {case.file.deck.file: deck, **paths}.items()]
+    deck = folder / case.deck_name if run.solution.resolved_deck else case.deck_path
+    paths = {name: case.folder / name for name in case.input_files}
+    return [(name, _relative(path, folder)) for name, path in {case.deck_name: deck, **paths}.items()]
 
 
 def index(index: Index) -> str:

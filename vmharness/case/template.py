@@ -1,0 +1,29 @@
+"""A deck as a template: Jinja2, sandboxed, with mesh parameters in place of a mesh."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from vmharness.case.error import CaseError
+
+SUFFIX = ".j2"
+
+
+def render(path: Path, values: Mapping[str, float]) -> str:
+    """The deck that the template makes of `values`; whole numbers are integers there.
+
+    Raises CaseError, with the line, for what is wrong with the template or not defined.
+    """
+    from jinja2 import StrictUndefined, TemplateError, TemplateSyntaxError
+    from jinja2.sandbox import SandboxedEnvironment
+
+    environment = SandboxedEnvironment(
+        undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True
+    )
+    place = f"{path.parent.name}/{path.name}"
+    numbers = {name: int(value) if value.is_integer() else value for name, value in values.items()}
+    try:
+        return environment.from_string(path.read_text(encoding="utf-8")).render(numbers)
+    except TemplateSyntaxError as error:
+        raise CaseError(f"{place}:{error.lineno}: {error.message}") from None
+    except (TemplateError, ArithmeticError, TypeError, ValueError) as error:
+        raise CaseError(f"{place}: {error}") from None

@@ -1,0 +1,55 @@
+"""`vm converge`: what order of accuracy a case shows, and what it converges to."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vmharness.cli.gathering import gathered, write_record
+from vmharness.cli.one import one
+from vmharness.cli.options import How, studying
+from vmharness.cli.say import complain, say, say_rows
+from vmharness.cli.selection import CASES
+from vmharness.suite.outcome import EXIT_CODES, Status
+
+if TYPE_CHECKING:
+    from vmharness.evidence.convergence import Convergence
+
+
+@click.command("converge")
+@click.argument("selector", metavar="ID")
+@CASES
+@studying
+def command(selector: str, cases: Path | None, how: How, out: Path, json: Path | None) -> int:
+    """Refine time step or mesh as the case says: observed order, extrapolated value, its uncertainty (GCI).
+
+    ID is an id, or the path of a case folder.
+    """
+    from vmharness.case import CaseError
+    from vmharness.study.converge import convergence, levels
+
+    try:
+        case = one(selector, cases)
+        variants = levels(case)
+    except CaseError as error:
+        complain(str(error))
+        return EXIT_CODES[Status.BROKEN]
+    found = convergence(case, gathered(variants, how, f"converge {case.id}"), how.solver)
+    _show(found)
+    write_record(out, case.id, "converge", found, json)
+    if any(level.failure for level in found.levels):
+        return EXIT_CODES[Status.UNJUDGED]
+    wrong = [result.key for result in found.results if result.agrees is False]
+    for key in wrong:
+        say(f"{key}: not of the order that theory promises")
+    return EXIT_CODES[Status.FAIL if wrong else Status.PASS]
+
+
+def _show(found: "Convergence") -> None:
+    from vmharness.report.studies.converge import remarks, tables
+
+    for table in tables(found):
+        say_rows(table)
+    for remark in remarks(found):
+        say(remark)
+    say(f"Refined: the {found.refined}, {found.size}." + (f" Held: {found.held}." if found.held else ""))
