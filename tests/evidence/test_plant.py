@@ -16,9 +16,9 @@ FAULTS = plant.faults()
 # The modulus of a plate under de_xx = 1 at nu = 0.5, from a kernel as a shell calls it.
 PLATE = """
 import sys
-from vmharness.evidence.plant import plant
+from vmharness.evidence.plant import fault, plant
 for name in sys.argv[1:]:
-    plant(name)
+    plant(fault(name).digest)
 from vmharness.explicit.compiled import kernel
 from vmharness.explicit.materials.elastic import plane_stress
 import numpy as np
@@ -82,8 +82,13 @@ def test_a_module_that_is_imported_cannot_be_planted():
 
     before = list(sys.meta_path)
     with pytest.raises(plant.PlantError, match=r"vmharness\.events is imported already"):
-        plant.plant(late.name)
+        plant.plant(late.digest)
     assert sys.meta_path == before
+
+
+def test_a_fault_that_has_changed_is_not_planted():
+    with pytest.raises(plant.PlantError, match="jaumann_terms_off: its texts have changed"):
+        plant.plant("jaumann_terms_off-0123456789abcdef")
 
 
 def test_a_sound_run_after_a_planted_one_is_unchanged(tmp_path):

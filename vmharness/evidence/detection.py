@@ -11,6 +11,9 @@ class Noticed(StrEnum):
     CAUGHT = "caught"  # the gate fails
     MISSED = "missed"  # the run differs, and passes
     UNSEEN = "not applicable"  # the run is the same to the last bit: the deck has nothing of what is wrong
+    HARMLESS = (
+        "harmless"  # a number of the model, not of the problem, that no result depends on, however wrong
+    )
 
 
 @dataclass(frozen=True)
@@ -41,8 +44,8 @@ class Detection:
 
     @property
     def applicable(self) -> int:
-        """How many faults changed anything at all."""
-        return sum(finding.noticed is not Noticed.UNSEEN for finding in self.findings)
+        """How many faults changed anything that matters."""
+        return self.caught + len(self.missed)
 
     @property
     def missed(self) -> list[Finding]:

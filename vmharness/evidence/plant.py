@@ -83,9 +83,14 @@ def of_module(module: ModuleType) -> Plant:
     )
 
 
-def plant(name: str) -> None:
-    """Make this process import a faulty module; raises PlantError where that is too late or not possible."""
-    chosen = fault(name)
+def plant(digest: str) -> None:
+    """Make this process import the faulty module of the fault with this digest.
+
+    Raises PlantError where that is too late, or the fault is another by now.
+    """
+    chosen = fault(digest.rpartition("-")[0])
+    if chosen.digest != digest:
+        raise PlantError(f"{chosen.name}: its texts have changed since it was chosen")
     chosen.planted(source_of(chosen.module))
     kernels = chosen.module.startswith(f"{KERNELS}.")
     for module in [chosen.module, *([f"{KERNELS}.compiled"] if kernels else [])]:

@@ -21,6 +21,8 @@ from vmharness.study.variant import Variant
 
 PERCENTS = (0.1, -0.1, 1.0, -1.0, 5.0, -5.0)
 SLIP = 1000.0  # between a unit and its thousandth
+OTHER_SIGN = "of the other sign"  # which most decks must not have
+MODEL = "Model"  # the group of the data that are no part of the problem
 LONGEST = 3  # a wrong unit makes a run no more than so many times as long: it would only be waited for
 
 
@@ -58,7 +60,7 @@ def parameter_faults(case: Case, cycles: int) -> list[Planted]:
         if formula == RUN_LENGTH or value == 0.0:
             continue
         wrong = {f"{percent:+g} %": value * (1.0 + percent / 100.0) for percent in PERCENTS}
-        for how, other in {**wrong, "of the other sign": -value}.items():
+        for how, other in {**wrong, OTHER_SIGN: -value}.items():
             found.append(_deck_fault(f"{name} {how}", _with_parameter(case, name, other)))
         slipped = _ended(_with_parameter(case, name, SLIP * value), cycles)
         found.append(_deck_fault(f"{name} {SLIP:g} times as large", slipped))
@@ -81,7 +83,7 @@ def solver_faults(case: Case) -> list[Planted]:
     """The faults of the solver that the deck has something of."""
     names = {entry.keyword.name for entry in read_deck(case).entries}
     return [
-        Planted(fault.name, fault.text, fault.kind, Variant(case, fault.name, fault.name))
+        Planted(fault.name, fault.text, fault.kind, Variant(case, fault.name, fault.digest))
         for fault in plant.faults()
         if not fault.keywords or any(name.startswith(fault.keywords) for name in names)
     ]
@@ -95,7 +97,23 @@ def detection(
     run = {fault.name for fault in faults}
     unseen = [fault for fault in plant.faults() if fault.name not in run]
     found += [Finding(fault.name, fault.text, fault.kind, Noticed.UNSEEN) for fault in unseen]
+    idle = {name for name in case.file.deck.parameters if _is_idle(case, name, found)}
+    found = [
+        replace(one, noticed=Noticed.HARMLESS)
+        if one.kind == "deck" and one.fault.partition(" ")[0] in idle and one.noticed is Noticed.MISSED
+        else one
+        for one in found
+    ]
     return Detection(case.id, solver, found)
+
+
+def _is_idle(case: Case, name: str, found: Sequence[Finding]) -> bool:
+    """Whether a parameter is of the model alone, and every change of it passes, the wrong unit included."""
+    data = case.origins(f"parameter {name}")
+    if not all(case.file.given[datum].group == MODEL for datum in data):
+        return False
+    own = [one for one in found if one.kind == "deck" and one.fault.partition(" ")[0] == name]
+    return all(one.noticed is not Noticed.CAUGHT or one.fault == f"{name} {OTHER_SIGN}" for one in own)
 
 
 def finding(fault: Planted, sound: Measured, outcome: Measured) -> Finding:
