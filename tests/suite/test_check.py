@@ -43,7 +43,7 @@ def test_the_case_of_the_manual_is_sound():
          r"\[faults\] 1 \(Surface 1 % too stiff\): t_impact must fail, but theory moves it by 0 of its tolerance only"),
         ("case.toml", r'h = "\+0.1 %"', 'h = "+0.00001 %"',
          r"\[faults\] 4 .*: z_impact must fail, but theory moves it by 0\.1 of its tolerance only"),
-        ("case.toml", r'change    = \{ m = "\+1 %" \}', 'change = { dt = "+1 %" }', r"\[faults\] 3 .*no parameter of the deck"),
+        ("case.toml", r'change    = \{ m = "\+1 %" \}', 'change = { dt = "+1 %" }', r"\[faults\] 3 .*nothing in the deck"),
         ("case.toml", r"(?m)^TEND ", "TENT ", r"deck.k: no parameter tent to set; did you mean tend"),
         ("case.toml", r"(?m)^TEND .*", 'A = "L/2"', r"A.* follows from other parameters"),
         ("README.md", r"schematic\.svg", "missing.svg", r"README.md: missing.svg: no drawing"),

@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Iterable, Mapping
-from itertools import pairwise
 from pathlib import Path
 
 from vmharness.case.change import CHANGE, HOW
@@ -11,9 +10,8 @@ from vmharness.case.error import CaseError
 from vmharness.case.format import EVENTS, OWNERS, CaseFile, Event, as_line
 from vmharness.case.near import near
 from vmharness.case.template import SUFFIX
-from vmharness.formula import DIMENSIONLESS, Dimension, Formula, FormulaError, Unit, UnitError, UnitSystem
+from vmharness.formula import Dimension, Formula, FormulaError, Unit, UnitError, UnitSystem
 
-LEVEL = {"N": DIMENSIONLESS}  # what formulas of a level know beside data and theory
 NUMBER = r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?"
 
 
@@ -40,7 +38,6 @@ class Checks:
         self.budget()
         self.published()
         self.faults()
-        self.converge()
 
     def wrong(self, place: str, what: object) -> CaseError:
         return CaseError(f"{self.folder.name}/{FILE}: {place}: {what}")
@@ -164,23 +161,6 @@ class Checks:
             self.formula(f"[deck.mesh] {name}", f"mesh {name}", text)
         if self.file.deck.mesh and not self.file.deck.file.endswith(SUFFIX):
             raise self.wrong("[deck.mesh]", f"only a template, such as deck.k{SUFFIX}, has names for a mesh")
-
-    def converge(self) -> None:
-        plan = self.file.converge
-        if plan is None:
-            return
-        if "N" in self.dimensions:
-            raise self.wrong("[converge]", "N is the level here; give the datum or line of that name another")
-        if any(fine <= coarse for coarse, fine in pairwise(plan.levels)):
-            raise self.wrong("[converge] levels", "must rise")
-        self.formula("[converge] size", "converge size", plan.size, LEVEL)
-        for name, text in plan.set.items():
-            place = f"[converge] set: {name}"
-            self.known(place, name, self.file.given, "given datum")
-            dimension = self.formula(place, f"converge {name}", text, LEVEL)
-            self.unit(place, self.file.given[name].unit, dimension)
-        for key in plan.orders:
-            self.known("[converge] orders", key, self.keys, "result")
 
     def files(self) -> None:
         for name in [self.file.deck.file, *self.file.files]:

@@ -179,6 +179,29 @@ class Converge(Table, frozen=True):
     held: Annotated[str, Meta(description="What stays the same from level to level, and why it must")] = ""
 
 
+class Within(Table, frozen=True):
+    """A constraint on swept data: a formula of them that must lie between two plain numbers."""
+
+    formula: Formula
+    low: float
+    high: float
+    because: Text
+
+
+class Sweep(Table, frozen=True):
+    """The region of the given data in which the formulas must hold."""
+
+    ranges: Annotated[
+        dict[Name, tuple[float, float]],
+        Meta(min_length=1, description="Lowest and highest value by given datum, in its unit"),
+    ]
+    within: list[Within] = []
+    set: Annotated[
+        dict[Name, Formula], Meta(description="Given data that follow from those that are swept")
+    ] = {}
+    points: Annotated[Count, Meta(description="How many, unless the command says otherwise")] = 200
+
+
 class CaseFile(Table, frozen=True):
     """A verification case: data, theory, what to measure, targets, tolerances, faults."""
 
@@ -205,6 +228,7 @@ class CaseFile(Table, frozen=True):
     budget: list[Budget] = []
     published: list[Published] = []
     converge: Converge | None = None
+    sweep: Sweep | None = None
     files: Annotated[list[Text], Meta(description="Further input files to offer beside the deck")] = []
 
 

@@ -8,6 +8,7 @@ from vmharness.case.case import Case, evaluate_theory
 from vmharness.case.check import Checks
 from vmharness.case.decode import FILE, decode
 from vmharness.case.error import CaseError
+from vmharness.case.plans import check_converge, check_sweep
 from vmharness.formula import UnitError, UnitSystem
 
 
@@ -20,6 +21,8 @@ def read(folder: Path) -> Case:
         raise CaseError(f"{folder.name}/{FILE}: [units]: {error}") from None
     checked = Checks(folder, file, units)
     checked.all()
+    check_converge(checked)
+    check_sweep(checked)
     theory = evaluate_theory(folder.name, file, checked.values, checked.formulas)
     case = Case(
         id=folder.name,

@@ -51,10 +51,23 @@ def with_settings(case: "Case", settings: Mapping[str, float]) -> "Case":
     return changed
 
 
+def as_options(settings: Mapping[str, float]) -> str:
+    """The options that set the data again.
+
+    >>> as_options({"k": 2000.0, "m": 0.4})
+    '--set k=2000 --set m=0.4'
+    """
+    return " ".join(f"--set {_assigned(name, value)}" for name, value in settings.items())
+
+
+def _assigned(name: str, value: float) -> str:
+    return f"{name}={value!r}".removesuffix(".0")
+
+
 def label(id: str, settings: Mapping[str, float]) -> str:
     """The name of a case with other data, as of its folder.
 
     >>> label("VM-061", {"k": 2000.0, "m": 0.4})
     'VM-061@k=2000,m=0.4'
     """
-    return f"{id}@{','.join(f'{name}={value!r}'.removesuffix('.0') for name, value in settings.items())}"
+    return f"{id}@{','.join(_assigned(name, value) for name, value in settings.items())}"

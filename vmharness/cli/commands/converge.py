@@ -46,10 +46,10 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
 
 
 def _show(found: "Convergence") -> None:
-    from vmharness.report.studies.converge import remarks, tables
+    from vmharness.report.studies.converge import plan, remarks, tables
 
     for table in tables(found):
         say_rows(table)
     for remark in remarks(found):
         say(remark)
-    say(f"Refined: the {found.refined}, {found.size}." + (f" Held: {found.held}." if found.held else ""))
+    say(plan(found))

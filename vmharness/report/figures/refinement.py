@@ -40,7 +40,7 @@ def draw(found: Convergence) -> str:
         for row in range(rows):
             part = entries[row * IN_A_ROW : (row + 1) * IN_A_ROW]
             key(figure, part, start=(43.0, 12.0 + 16.0 * (rows - 1 - row)), step=(108.0, 0.0))
-        return svg.text(figure, f"Distance of the results from theory over the {found.refined}")
+        return svg.text(figure, "Distance of the results from theory over the size")
 
 
 def errors(found: Convergence, result: Refined) -> list[tuple[float, float]]:

@@ -8,6 +8,11 @@ from vmharness.evidence.richardson import SAFETY, Kind
 from vmharness.report import number
 from vmharness.report.section import Figure, Section, Table
 
+REFINED = {
+    "time step": "the time step",
+    "mesh": "the mesh",
+    "both": "the mesh, and the time step with it",
+}
 MEANINGS = {
     Kind.EXACT: "the same at every level, to round-off",
     Kind.OSCILLATES: "the differences change sign, so that there is no order",
@@ -20,7 +25,7 @@ MEANINGS = {
 def section(content: bytes, case: Case) -> Section:
     """The section for the record of `vm converge`."""
     found = msgspec.json.decode(content, type=Convergence)
-    caption = f"Distance of the results from theory over the {found.refined}; dashed: the promised order"
+    caption = "Distance of the results from theory over the size; dashed: the promised order"
     return Section(
         "Convergence",
         summary(found),
@@ -29,6 +34,12 @@ def section(content: bytes, case: Case) -> Section:
         figures=[Figure("convergence", caption, _drawing(found))],
         remarks=remarks(found),
     )
+
+
+def plan(found: Convergence) -> str:
+    """What is refined, what is held."""
+    held = f" Held: {found.held}." if found.held else ""
+    return f"Refined: {REFINED[found.refined]}; its size, {found.size}, on {len(found.levels)} levels.{held}"
 
 
 def summary(found: Convergence) -> str:
@@ -62,10 +73,8 @@ def remarks(found: Convergence) -> list[str]:
 
 
 def _text(found: Convergence) -> list[str]:
-    held = f" Held is {found.held}." if found.held else ""
     return [
-        f"Refined is the {found.refined}, {found.size}, on {len(found.levels)} levels.{held} "
-        f"Promised orders: {found.because}.",
+        f"{plan(found)} Promised orders: {found.because}.",
         "The order is that of the three finest levels, and its uncertainty the largest distance of the order of "
         "another three in a row. Extrapolated is Richardson's value for a size of zero; GCI is Roache's grid "
         f"convergence index, with a safety factor of {SAFETY:g}: theory should lie no further from the former.",

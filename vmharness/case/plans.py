@@ -1,0 +1,47 @@
+"""[converge] and [sweep] of case.toml checked; their formulas are kept on the way."""
+
+from itertools import pairwise
+
+from vmharness.case.check import Checks
+from vmharness.formula import DIMENSIONLESS
+
+LEVEL = {"N": DIMENSIONLESS}  # what formulas of a level know beside data and theory
+
+
+def check_converge(checks: Checks) -> None:
+    """The levels rise, and what is set at each is a datum, in its unit."""
+    plan = checks.file.converge
+    if plan is None:
+        return
+    if "N" in checks.dimensions:
+        raise checks.wrong("[converge]", "N is the level here; give the datum or line of that name another")
+    if any(fine <= coarse for coarse, fine in pairwise(plan.levels)):
+        raise checks.wrong("[converge] levels", "must rise")
+    checks.formula("[converge] size", "converge size", plan.size, LEVEL)
+    for name, text in plan.set.items():
+        place = f"[converge] set: {name}"
+        checks.known(place, name, checks.file.given, "given datum")
+        dimension = checks.formula(place, f"converge {name}", text, LEVEL)
+        checks.unit(place, checks.file.given[name].unit, dimension)
+    for key in plan.orders:
+        checks.known("[converge] orders", key, checks.keys, "result")
+
+
+def check_sweep(checks: Checks) -> None:
+    """The ranges are of data, and what follows from them is another datum, in its unit."""
+    plan = checks.file.sweep
+    if plan is None:
+        return
+    for name, (low, high) in plan.ranges.items():
+        checks.known("[sweep] ranges", name, checks.file.given, "given datum")
+        if not low < high:
+            raise checks.wrong(f"[sweep] ranges: {name}", "the first value must be below the second")
+    for number, constraint in enumerate(plan.within, 1):
+        place = f"[sweep] within: {number}"
+        checks.unit(place, "", checks.formula(place, f"within {number}", constraint.formula))
+    for name, text in plan.set.items():
+        place = f"[sweep] set: {name}"
+        checks.known(place, name, checks.file.given, "given datum")
+        if name in plan.ranges:
+            raise checks.wrong(place, "is swept, and cannot follow")
+        checks.unit(place, checks.file.given[name].unit, checks.formula(place, f"sweep {name}", text))

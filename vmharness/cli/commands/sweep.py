@@ -1,0 +1,57 @@
+"""`vm sweep`: the formulas over a region of the given data, not at one point."""
+
+from pathlib import Path
+
+import click
+
+from vmharness.cli.gathering import gathered, write_record
+from vmharness.cli.one import one
+from vmharness.cli.options import How, studying
+from vmharness.cli.say import complain, say, say_rows
+from vmharness.cli.selection import CASES
+from vmharness.suite.outcome import EXIT_CODES, Status
+
+
+@click.command("sweep")
+@click.argument("selector", metavar="ID")
+@CASES
+@click.option("-n", "--points", type=click.IntRange(1), metavar="N", help="Points of a Latin hypercube.")
+@click.option("--seed", type=int, default=0, metavar="N", help="Of the hypercube.  [default: 0]")
+@click.option("--grid", type=click.IntRange(2), metavar="N", help="A grid of N values a datum instead.")
+@studying
+def command(
+    selector: str,
+    cases: Path | None,
+    points: int | None,
+    seed: int,
+    grid: int | None,
+    how: How,
+    out: Path,
+    json: Path | None,
+) -> int:
+    """Run the case with other data, all over the region that it declares; shrink a point that fails.
+
+    ID is an id, or the path of a case folder.
+    """
+    from vmharness.case import CaseError
+    from vmharness.report.studies.sweep import plan, remarks, tables, verdict
+    from vmharness.study import sweep
+
+    if points is not None and grid is not None:
+        raise click.UsageError("--points and --grid do not go together")
+    try:
+        case = one(selector, cases)
+        chosen, words = sweep.points(case, points, seed, grid)
+    except CaseError as error:
+        complain(str(error))
+        return EXIT_CODES[Status.BROKEN]
+    found = sweep.swept(
+        case, chosen, words, lambda variants: gathered(variants, how, f"sweep {case.id}"), how.solver
+    )
+    for table in tables(found):
+        say_rows(table)
+    for sentence in (plan(found), verdict(found), *remarks(found)):
+        say(sentence)
+    write_record(out, case.id, "sweep", found, json)
+    status = Status.UNJUDGED if found.unjudged else Status.FAIL if found.failed else Status.PASS
+    return EXIT_CODES[status]

@@ -1,0 +1,81 @@
+"""Shares of tolerances over each swept datum: a panel a datum, a mark a point."""
+
+import math
+from typing import TYPE_CHECKING
+
+from vmharness.evidence.sample import is_logarithmic
+from vmharness.evidence.swept import Swept, worst_share
+from vmharness.report.figures import svg
+from vmharness.report.figures.characters import ten_to, unit
+from vmharness.report.figures.histories import COLOURS, INK, QUIET
+from vmharness.report.figures.note import note
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+IN_A_ROW = 3
+HEIGHT = 1.75  # of a row of panels, in inches
+LEAST = 1e-4  # shares below are drawn there
+
+
+def draw(found: Swept) -> str:
+    """SVG of the largest share of a tolerance that a result uses at each point, over each datum."""
+    from matplotlib.figure import Figure
+
+    rows = -(-len(found.ranges) // IN_A_ROW)
+    height = 0.35 + HEIGHT * rows
+    with svg.style(f"{found.case}-sweep"):
+        figure = Figure(figsize=(6.6, height))
+        for i, name in enumerate(found.ranges):
+            left = 0.075 + 0.315 * (i % IN_A_ROW)
+            bottom = (HEIGHT * (rows - 1 - i // IN_A_ROW) + 0.5) / height
+            axes = figure.add_axes((left, bottom, 0.275, (HEIGHT - 0.62) / height), yscale="log")
+            _panel(axes, found, name, named=i % IN_A_ROW == 0)
+        corner = figure.add_axes((0.075, 1.0 - 0.2 / height, 0.9, 0.0))
+        corner.set_axis_off()
+        note(corner, "Largest share of a tolerance", (0.0, 0.0), (0, 0), xycoords="axes fraction", color=INK)
+        return svg.text(figure, "Largest share of a tolerance over each swept datum")
+
+
+def _panel(axes: "Axes", found: Swept, name: str, named: bool) -> None:
+    """The points over one datum: failing ones filled, those not judged left out."""
+    shares = {i: worst_share(found, i) for i in range(found.points) if i not in found.unjudged}
+    top = max([1.0, *(share for share in shares.values() if math.isfinite(share))])
+    axes.set_ylim(LEAST / 1.5, 3.0 * top)
+    if is_logarithmic(found.ranges[name]):
+        axes.set_xscale("log")
+    axes.grid(True)
+    axes.set_axisbelow(True)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.axhline(1.0, color=QUIET, linewidth=0.8)
+    for fails, face in ((False, "none"), (True, COLOURS[1])):
+        chosen = [i for i, share in shares.items() if (not share <= 1.0) is fails]
+        axes.plot(
+            [found.data[name][i] for i in chosen],
+            [min(max(shares[i], LEAST), 2.0 * top) for i in chosen],
+            linestyle="none",
+            marker="o",
+            markersize=2.6 + 1.4 * fails,
+            markerfacecolor=face,
+            markeredgecolor=COLOURS[1 if fails else 0],
+            markeredgewidth=0.7,
+        )
+    _ticks(axes, found, name, named)
+
+
+def _ticks(axes: "Axes", found: Swept, name: str, named: bool) -> None:
+    """Ends and middle of the range; powers of ten of the share."""
+    from matplotlib.ticker import FixedFormatter, FixedLocator, LogLocator, NullLocator
+
+    low, high = found.ranges[name]
+    middle = math.sqrt(low * high) if is_logarithmic((low, high)) else 0.5 * (low + high)
+    axes.xaxis.set_major_locator(FixedLocator([low, middle, high]))
+    axes.xaxis.set_major_formatter(FixedFormatter([f"{value:.3g}" for value in (low, middle, high)]))
+    axes.xaxis.set_minor_locator(NullLocator())
+    axes.yaxis.set_major_locator(LogLocator(10.0, numticks=9))
+    axes.yaxis.set_minor_locator(NullLocator())
+    axes.yaxis.set_major_formatter(
+        lambda value, _: (ten_to(round(math.log10(value))) or "1") if named else ""
+    )
+    in_unit = f" ({unit(found.units[name])})" if found.units[name] else ""
+    note(axes, f"{name}{in_unit}", (1.0, 0.0), (0, -24), xycoords="axes fraction", ha="right", color=INK)
