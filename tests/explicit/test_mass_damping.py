@@ -124,7 +124,6 @@ def test_the_reaction_of_a_support_is_not_touched(wall_and):
             "*DAMPING_GLOBAL\n0,1.0\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n11,3,0,1,1.0,0,0.5\n",
             r"\*DAMPING_GLOBAL: not supported with prescribed motion 1",
         ),
-        ("*DAMPING_PART_STIFFNESS\n2,0.1\n", r"DAMPING_PART_STIFFNESS"),
     ],
 )
 def test_what_is_refused(wall_and, keywords, message):

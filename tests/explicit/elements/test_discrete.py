@@ -199,6 +199,103 @@ def test_ground_and_orientation(model):
     )  # tension pulls node 1 along the axis
 
 
+SPATIAL = """*NODE
+1,0,0,0,7,7
+2,3.0,0,4.0
+3,0,0,1.0,7,7
+4,0,0,3.0,7,7
+5,1.0,1.0,1.0,7,7
+*ELEMENT_MASS
+1,2,0.5
+*INITIAL_VELOCITY_NODE
+2,0.3,2.0,-1.0
+""" + SPRING.format(k=50.0)
+
+
+def oriented(model, card, vid=4):
+    """Path of node 2 and elongation of a spring in space that begins in flight."""
+    deck = SPATIAL + (f"*DEFINE_SD_ORIENTATION\n{vid},{card}\n" if card else "")
+    m = model(deck + f"*ELEMENT_DISCRETE\n1,1,1,2,{vid if card else 0},0.0,0,0.2\n", end=2.0, tssfac=0.05)
+    elongation, total = probe.element(m, "discrete", 1, "elongation"), probe.energies(m, "total")
+    rows = [(*s.x[1], *s.f[1], elongation(), total()) for s in steps(m)]
+    return np.array(rows)
+
+
+@pytest.mark.parametrize("card", ["1,0,0,7.0", "3,0,0,0,3,4"])
+def test_projection_on_a_plane(model, card):
+    """Normal z, by its vector or between nodes: the length in the plane is stretched, nothing acts along z."""
+    x, y, z, fx, fy, fz, elongation, total = oriented(model, card).T
+    length = np.hypot(x, y)
+    np.testing.assert_allclose(elongation, 0.2 + length - 3.0, atol=1e-12)
+    np.testing.assert_allclose([fx, fy], -50.0 * elongation * np.array([x, y]) / length, atol=1e-10)
+    assert not fz.any()
+    np.testing.assert_allclose(z[-1], 4.0 - 2.0, atol=0.05)
+    np.testing.assert_allclose(total, total[0], rtol=2e-3)
+
+
+def test_the_line_between_two_nodes(model):
+    """Its own nodes: as without an orientation; two held nodes: as the vector between them."""
+    np.testing.assert_array_equal(oriented(model, "2,0,0,0,1,2"), oriented(model, ""))
+    np.testing.assert_allclose(
+        oriented(model, "2,0,0,0,3,5"), oriented(model, "0,2.0,2.0,0.0"), rtol=1e-12, atol=1e-12
+    )
+
+
+def test_a_line_that_turns_with_its_nodes_does_not_stretch(model):
+    """Spring and guide on one turning line: no elongation, however far they turn."""
+    deck = "*NODE\n1,-1,0,0\n2,1,0,0\n3,-2,0,0\n4,2,0,0\n*ELEMENT_MASS\n" + "".join(
+        f"{n},{n},{m}\n" for n, m in ((1, 0.5), (2, 0.5), (3, 0.25), (4, 0.25))
+    )
+    deck += SPRING.format(k=1e-12) + "*DEFINE_SD_ORIENTATION\n4,2,0,0,0,3,4\n*ELEMENT_DISCRETE\n1,1,1,2,4\n"
+    m = model(deck, end=5.0)
+    block, s = m.forces[0], m.state
+    block.add(s)
+    s.dt = 0.5
+    for n in range(1, 20):
+        before = s.x.copy()
+        s.x[:] = m.x0[:, :1] * [math.cos(0.3 * n), math.sin(0.3 * n), 0.0]
+        s.v[:] = (s.x - before) / s.dt
+        block.add(s)
+        assert abs(block.elongation[0]) < 1e-14
+
+
+def clearance(model, v, fields):
+    """A mass at x = 2 with velocity v and a spring of k = 200 to the origin; t, x, force."""
+    deck = (
+        MASS + SPRING.format(k=200.0).replace("1,1,1", "1,3,1") + f"*SECTION_DISCRETE\n3,0,0,0,{fields}\n\n"
+    )
+    m = model(deck + f"*ELEMENT_DISCRETE\n1,1,1,2\n*INITIAL_VELOCITY_NODE\n2,{v}\n", end=0.4, tssfac=0.01)
+    force, total = probe.element(m, "discrete", 1, "force"), probe.energies(m, "total")
+    return np.array([(s.t, s.x[1, 0], force(), total()) for s in steps(m)]).T
+
+
+def test_a_spring_with_clearance_bears_compression_alone(model):
+    """After 0.1 at speed 1: half a sine of omega = 20 and amplitude v/omega, then back; no force in tension."""
+    t, _, f, total = clearance(model, -1.0, 0.1)
+    contact = (t > 0.1) & (t < 0.1 + math.pi / 20.0)
+    np.testing.assert_allclose(f[contact], -200.0 / 20.0 * np.sin(20.0 * (t[contact] - 0.1)), atol=0.02)
+    assert not f[t < 0.1].any()
+    assert not f[t > 0.105 + math.pi / 20.0].any()
+    np.testing.assert_allclose(total, total[0], rtol=1e-3)
+    assert not clearance(model, 1.0, 0.1)[2].any()
+
+
+@pytest.mark.parametrize(("v", "fd"), [(1.0, 0.03), (-1.0, -0.03)])
+def test_a_spring_breaks_at_its_failure_deflection_for_good(model, v, fd):
+    """v/omega = 0.05 would be reached: at 0.03 the force ends, and the velocity stays at 0.8 v."""
+    t, x, f, _ = clearance(model, v, f"0,{fd}")
+    d = (x - 2.0) * np.sign(v)
+    broken = np.flatnonzero(d > 0.03)
+    assert broken[0] > 10
+    assert not f[broken[0] :].any()
+    np.testing.assert_allclose(f[: broken[0]], 200.0 * np.sign(v) * d[: broken[0]], rtol=1e-12)
+    np.testing.assert_allclose(np.diff(d[broken]) / np.diff(t[broken]), 0.8, rtol=5e-3)
+    assert np.abs(f).max() == pytest.approx(6.0, rel=0.02)
+    t, x, f, _ = clearance(model, -v, f"0,{fd}")
+    other = t < math.pi / 20.0  # the half of the swing in the other direction
+    np.testing.assert_allclose(f[other], 200.0 * (x[other] - 2.0), rtol=1e-12, atol=1e-12)
+
+
 def test_s_scales_force_energy_and_stable_step(model):
     deck = MASS + SPRING.format(k=100.0)
     once = model(deck + "*ELEMENT_DISCRETE\n1,1,1,2,0,4.0,0,0.1\n")
@@ -259,7 +356,13 @@ def test_torsion_spring_turns_a_node_about_its_axis(model, vid, axis):
         ("1,1,1,2,0", "1,1,1,7,0", r"\*ELEMENT_DISCRETE: N2 = 7: no \*NODE 7"),
         ("1,1,1,2,0", "1,1,0,2,0", r"\*ELEMENT_DISCRETE: N1 = 0: must be greater than 0"),
         ("2,2.0,0,0", "2,0.0,0,0", r"\*ELEMENT_DISCRETE: VID = 0: an element between nodes at one place needs an orientation"),
-        ("*ELEMENT_DISCRETE", "*DEFINE_SD_ORIENTATION\n1,2,1.0\n*ELEMENT_DISCRETE", r"\*DEFINE_SD_ORIENTATION: IOP = 2: only 0 is supported"),
+        ("1,1,1,2,0", "1,1,1,2,5\n*DEFINE_SD_ORIENTATION\n5,4", r"\*DEFINE_SD_ORIENTATION: IOP = 4: only 0, 1, 2 and 3 are supported"),
+        ("1,1,1,2,0", "1,1,1,2,5\n*DEFINE_SD_ORIENTATION\n5,2,1.0", r"\*DEFINE_SD_ORIENTATION: IOP = 2: takes the direction between its nodes"),
+        ("1,1,1,2,0", "1,1,1,2,5\n*DEFINE_SD_ORIENTATION\n5,2,0,0,0,1,8", r"\*DEFINE_SD_ORIENTATION: NID2 = 8: no \*NODE 8"),
+        ("1,1,1,2,0", "1,1,1,2,5\n*DEFINE_SD_ORIENTATION\n5,3,0,0,0,2,2", r"\*DEFINE_SD_ORIENTATION: NID2 = 2: lies where NID1 is"),
+        ("1,1,1,2,0", "1,1,1,2,5\n*DEFINE_SD_ORIENTATION\n5,1,1.0,0,0,2", r"\*DEFINE_SD_ORIENTATION: NID1 = 2: only IOP = 2 and 3 have nodes"),
+        ("1,1,1,2,0", "1,1,1,2,5\n*DEFINE_SD_ORIENTATION\n5,1,1.0", r"\*ELEMENT_DISCRETE: VID = 5: nothing of the element lies in the plane"),
+        ("1,1,1,2,0", "1,1,1,0,5\n*DEFINE_SD_ORIENTATION\n5,1,1.0", r"\*ELEMENT_DISCRETE: VID = 5: an element to the ground \(N2 = 0\) needs an orientation, IOP 0 or 2"),
         ("1,1,1,2,0", "1,1,1,2,5\n*DEFINE_SD_ORIENTATION\n5", r"\*DEFINE_SD_ORIENTATION: XT = 0.0: the vector XT, YT, ZT has no length"),
         ("*SECTION_DISCRETE\n1", "*SECTION_DISCRETE\n1,0,0.3", r"\*SECTION_DISCRETE: KD = 0.3: only 0.0 is supported"),
         ("1,1,1\n", "1,9,1\n", r"\*PART: SECID = 9: no \*SECTION_DISCRETE with SECID = 9; defined: 1, 2"),
@@ -271,6 +374,15 @@ def test_what_is_wrong_is_told_with_card_and_field(deck, old, new, message):
     assert old in text
     with pytest.raises(DeckError, match=message):
         build(deck(text.replace(old, new, 1)))
+
+
+def test_clearance_is_for_elastic_springs(deck):
+    text = HEAD.format(end=1.0, tssfac=0.1).replace("2,1\n", "2,0,0,0,0.1\n") + MASS
+    text += DAMPER.format(c=1.0).replace("2,1,2", "2,2,2") + "*ELEMENT_DISCRETE\n1,2,1,2\n"
+    with pytest.raises(
+        DeckError, match=r"CL = 0.1: not supported with \*MAT_DAMPER_VISCOUS: elastic springs are"
+    ):
+        build(deck(text))
 
 
 def test_channels_say_what_there_is(model):

@@ -58,7 +58,10 @@ def test_eight_points(constants):
 
 
 def test_rate_by_curve_goes_before_cowper_symonds(constants):
-    assert constants(sigy="0.4", second="40.0,5.0")[4] == (None, 1 / 40, 1 / 5)
+    assert constants(sigy="0.4", second="40.0,5.0")[4] == (None, 1 / 40, 1 / 5, None)
+    assert constants(sigy="0.4", second="40.0,5.0,0,0,1.0")[4][3] == (40.0, 5.0, 0.4, 0.0)  # SIGY z
+    points = dict(eps="0.0,0.1,0.3", es="0.3,0.4,0.5")
+    assert constants(second="40.0,5.0,0,0,1.0", **points)[4][3] == (40.0, 5.0, 0.0, 1.0)  # Y z
     table, *_ = constants(sigy="0.4", second="40.0,5.0,0,8", _8=["0.0,1.0", "10.0,1.5"])[4]
     assert values(table, [0.0, 4.0, 20.0]) == pytest.approx([1.0, 1.2, 2.0])
 
@@ -70,7 +73,8 @@ def test_rate_by_curve_goes_before_cowper_symonds(constants):
         (dict(sigy="0.4,210.0"), "ETAN = 210.0: must be less than E = 210"),
         (dict(sigy="0.4,0.0,0.5"), "FAIL = 0.5: only 0.0, 1e[+]20 and 1e[+]21 are supported"),
         (dict(sigy="0.4,0.0,,1.0"), "TDEL = 1.0: only 0.0 is supported"),
-        (dict(sigy="0.4", second="0.0,0.0,0,0,1.0"), "VP = 1.0: only 0.0 is supported"),
+        (dict(sigy="0.4", second="0.0,0.0,0,0,3.0"), "VP = 3.0: only 0.0 and 1.0 are supported"),
+        (dict(sigy="0.4", second="40.0,0.5,0,0,1.0"), "P = 0.5: must be at least 1 with VP = 1"),
         (dict(sigy="0.4", second="40.0"), "P = 0.0: must be greater than 0, since C is given"),
         (dict(eps="0.01,0.1", es="0.3,0.4"), "EPS1 = 0.01: the first plastic strain must be 0"),
         (dict(eps="0.0", es="0.3"), "EPS2 = 0.0: at least two points are needed"),

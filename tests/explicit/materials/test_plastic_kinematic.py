@@ -30,7 +30,9 @@ def test_plastic_modulus_is_shared_by_beta(constants, beta, C, slope):
 
 
 def test_rate(constants):
-    assert constants("1,1.0,210.0,0.3,0.4", "40.0,5.0")[4] == (None, 1 / 40, 1 / 5)
+    assert constants("1,1.0,210.0,0.3,0.4", "40.0,5.0")[4] == (None, 1 / 40, 1 / 5, None)
+    plastic = constants("1,1.0,210.0,0.3,0.4", "40.0,5.0,0.0,1.0")[4]
+    assert plastic == (None, 1 / 40, 1 / 5, (40.0, 5.0, 0.0, 1.0))  # of Y
 
 
 @pytest.mark.parametrize(
@@ -44,7 +46,7 @@ def test_rate(constants):
         ("1,1.0,210.0,0.3,0.4", "40.0", "SRP = 0.0: must be greater than 0, since SRC is given"),
         ("1,1.0,210.0,0.3,0.4", "0.0,5.0", "SRC = 0.0: must be greater than 0, since SRP is given"),
         ("1,1.0,210.0,0.3,0.4", "0.0,0.0,0.1", "FS = 0.1: only 0.0 is supported"),
-        ("1,1.0,210.0,0.3,0.4", "0.0,0.0,0.0,1.0", "VP = 1.0: only 0.0 is supported"),
+        ("1,1.0,210.0,0.3,0.4", "0.0,0.0,0.0,2.0", "VP = 2.0: only 0.0 and 1.0 are supported"),
     ],
 )
 def test_what_it_refuses(constants, first, second, message):

@@ -138,7 +138,7 @@ def test_elastic_until_yield(laws):
 def test_nothing_strained_is_nothing_stressed(laws):
     for law, shape in (("solid", (2, 6)), ("plane", (2, 5)), ("uniaxial", (2,))):
         stress, history, *_ = laws.run(
-            law, constants(laws, 0.0, 1.0, (None, 1.0, 0.2)), np.zeros(shape), dt=0.0
+            law, constants(laws, 0.0, 1.0, (None, 1.0, 0.2, None)), np.zeros(shape), dt=0.0
         )
         assert not np.any(stress)
         assert not history.any()
@@ -181,7 +181,7 @@ def test_any_number_of_points(laws, points):
 
 def test_cowper_symonds(laws):
     """1 + (100 / 40.4)^(1/5) = 2.198737 at a rate of 100, in tension, in each law; and half as fast, 2.043561."""
-    rate = (None, 1 / 40.4, 1 / 5)
+    rate = (None, 1 / 40.4, 1 / 5, None)
     for speed, factor in ((100.0, 2.198737), (50.0, 2.043561)):
         steps, strain = 400, 0.02
         dt = strain / steps / speed
@@ -199,7 +199,7 @@ def test_cowper_symonds(laws):
 
 def test_rate_curve(laws):
     """Factors between the points of a curve, and beyond by the last slope."""
-    rate = (curve(np.array([0.0, 10.0, 100.0]), np.array([1.0, 1.5, 2.0])), 0.0, 0.0)
+    rate = (curve(np.array([0.0, 10.0, 100.0]), np.array([1.0, 1.5, 2.0])), 0.0, 0.0, None)
     for speed, factor in ((5.0, 1.25), (46.0, 1.7), (190.0, 2.5)):
         stress, _ = laws.run("uniaxial", constants(laws, 0.0, 0.0, rate), np.full(100, 1e-3), 1e-3 / speed)
         assert stress[-1] / laws.SIGY == pytest.approx(factor, rel=1e-12)
@@ -222,3 +222,79 @@ def test_uniaxial_cycle(laws, beta):
     exact = np.where(back > yields, peak - laws.E * (0.02 - back), reverse - Et * (yields - back))
     assert stress[2000:] == pytest.approx(exact, rel=1e-9, abs=1e-12)
     assert reverse == pytest.approx({0.0: peak - 2 * laws.SIGY, 1.0: -peak}.get(beta, reverse))
+
+
+# By the plastic rate (VP = 1): C, P and what goes with z, SIGY or Y.
+SRC, SRP = 40.4, 5.0
+
+
+def by_plastic_rate(laws, constant):
+    return None, 1 / SRC, 1 / SRP, (SRC, SRP, constant * laws.SIGY, 1.0 - constant)
+
+
+@pytest.mark.parametrize("constant", [0.0, 1.0])
+def test_flow_at_a_constant_plastic_rate(laws, constant):
+    """Without hardening all strain of steady flow is plastic: r = 2.198737 at 100, exactly, in each law."""
+    c = constants(laws, 0.0, 0.0, by_plastic_rate(laws, constant))
+    dt, rate = 1e-5, 100.0
+    n = 80  # 8 % of strain: long enough to be steady
+    r = 1 + (rate / SRC) ** (1 / SRP)
+    assert r == pytest.approx(2.198737, rel=1e-6)
+    bar, _ = laws.run("uniaxial", c, np.full(n, rate * dt), dt)
+    assert bar[-1] == pytest.approx(r * laws.SIGY, rel=1e-12)
+    shear = np.sqrt(3) * rate * dt  # effective rate gamma / sqrt(3)
+    solid = laws.run("solid", c, np.tile([0, 0, 0, shear, 0, 0], (n, 1)), dt)[0]
+    plane = laws.run("plane", c, np.tile([0, 0, shear, 0, 0], (n, 1)), dt)[0]
+    np.testing.assert_allclose([solid[-1, 3], plane[-1, 2]], r * laws.SIGY / np.sqrt(3), rtol=1e-10)
+
+
+def test_flow_with_hardening_at_a_constant_plastic_rate(laws):
+    """In a bar dp/dt = rate E/(E + H) once it is steady: s = SIGY + H p + SIGY z(dp/dt)."""
+    H, dt, rate = 2.0, 1e-5, 100.0
+    stress, history = laws.run(
+        "uniaxial", constants(laws, H, 0.0, by_plastic_rate(laws, 1.0)), np.full(200, rate * dt), dt
+    )
+    z = (rate * laws.E / (laws.E + H) / SRC) ** (1 / SRP)
+    assert stress[-1] == pytest.approx(laws.SIGY * (1 + z) + H * history[0], rel=1e-9)
+
+
+@pytest.mark.parametrize("law", ["uniaxial", "solid", "plane"])
+@pytest.mark.parametrize("constant", [0.0, 1.0])
+@pytest.mark.parametrize("dt", [1e-6, 1e-3, 10.0])
+def test_the_yield_condition_holds_at_the_end_of_any_step(laws, law, constant, dt):
+    """q = Y(p) + (A + B Y(p)) z with the step's own dp/dt, for small and large steps, fast and slow."""
+    H = 2.0
+    c = constants(laws, H, 0.0, by_plastic_rate(laws, constant))
+    rng = np.random.default_rng(1)
+    for size in (1e-4, 3e-3, 0.05):
+        path = size * rng.normal(size=(30, {"solid": 6, "plane": 5, "uniaxial": 1}[law]))
+        before = np.zeros(7)
+        for n in range(1, 31):
+            stress, history, *_ = laws.run(law, c, path[:n, 0] if law == "uniaxial" else path[:n], dt)
+            dp, y = history[0] - before[0], laws.SIGY + H * history[0]
+            before = history
+            r = y + (constant * laws.SIGY + (1 - constant) * y) * (dp / dt / SRC) ** (1 / SRP)
+            q = effective(law, stress[-1])
+            assert dp >= 0.0
+            assert q <= r * (1 + 1e-9)
+            if dp > 0.0:
+                assert q == pytest.approx(r, rel=1e-9)
+
+
+def effective(law, s):
+    """Mises stress."""
+    if law == "uniaxial":
+        return abs(s)
+    if law == "plane":
+        xx, yy, xy, yz, zx = s
+        return np.sqrt(xx * xx + yy * yy - xx * yy + 3 * (xy * xy + yz * yz + zx * zx))
+    xx, yy, zz, xy, yz, zx = s
+    normal = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
+    return np.sqrt(0.5 * normal + 3 * (xy * xy + yz * yz + zx * zx))
+
+
+def test_a_slow_flow_by_the_plastic_rate_is_the_static_one(laws):
+    c = constants(laws, 2.0, 0.0, by_plastic_rate(laws, 1.0))
+    static, _ = laws.run("uniaxial", constants(laws, 2.0, 0.0), np.full(50, 1e-3), 1e30)
+    slow, _ = laws.run("uniaxial", c, np.full(50, 1e-3), 1e30)
+    np.testing.assert_allclose(slow, static, rtol=1e-6)

@@ -1,19 +1,19 @@
-"""*DEFINE_SD_ORIENTATION: a direction, fixed in space, for springs and dampers."""
+"""*DEFINE_SD_ORIENTATION: a direction for springs and dampers, fixed in space or between two nodes."""
 
 from vmharness.deck.card import Card
-from vmharness.deck.field import integer, only, real
+from vmharness.deck.field import integer, real
 from vmharness.deck.keyword import Keyword
 
 DEFINE_SD_ORIENTATION = Keyword(
     "DEFINE_SD_ORIENTATION",
     Card(
         vid=integer(above=0),
-        iop=only(0),
+        iop=integer(0, choices=(0, 1, 2, 3)),
         xt=real(0.0),
         yt=real(0.0),
         zt=real(0.0),
-        nid1=only(0),
-        nid2=only(0),
+        nid1=integer(0, at_least=0),
+        nid2=integer(0, at_least=0),
     ),
     repeat=True,
     options=("TITLE",),

@@ -6,7 +6,8 @@ The curve is the first of these that the card gives; beyond its last point it go
     EPS, ES   up to eight points of the same
     SIGY      Y(p) = SIGY + E ETAN / (E - ETAN) p
 
-The static yield stress is scaled by a curve over the strain rate (LCSR), else after Cowper and Symonds (C, P).
+The static yield stress is scaled by a curve over the strain rate (LCSR), else after Cowper and Symonds (C, P). With
+VP = 1 the rate is that of the plastic strain, and what it adds is SIGY z, though LCSS or ES give Y; without SIGY, Y z.
 The laws are those of explicit/plasticity. Source: Hallquist, LS-DYNA Theory Manual, material model 24.
 """
 
@@ -44,7 +45,7 @@ KEYWORD = Keyword(
         p=real(0.0, at_least=0.0),
         lcss=integer(0, at_least=0),
         lcsr=integer(0, at_least=0),
-        vp=only(0.0),
+        vp=real(0.0, choices=(0.0, 1.0)),
         _6=skip(),
         rfiltf=only(0.0),
     ),
@@ -112,11 +113,13 @@ def _yield_curve(deck: Deck, entry: Entry) -> Curve:
 
 def _rate(deck: Deck, entry: Entry) -> Rate | None:
     if not entry.lcsr:
-        return cowper_symonds(entry, "c", "p")
+        return cowper_symonds(entry, "c", "p", constant=entry.sigy)
+    if entry.vp:
+        raise entry.error("vp", "the plastic rate is supported with C and P, not with LCSR")
     definition, rate, factor = _curve(deck, entry, "lcsr")
     for i in np.flatnonzero((factor <= 0.0) | (np.diff(factor, prepend=0.0) < 0.0)):
         raise definition.error("o1", "factors of the yield stress must be positive and not fall", int(i))
-    return curve(rate, factor), 0.0, 0.0
+    return curve(rate, factor), 0.0, 0.0, None
 
 
 def _curve(deck: Deck, entry: Entry, field: str) -> tuple[Entry, Array, Array]:

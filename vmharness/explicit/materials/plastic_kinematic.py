@@ -4,7 +4,8 @@ The slope ETAN of the uniaxial stress-strain curve gives the plastic modulus, wh
 
     E_p = E ETAN / (E - ETAN),   Y(p) = SIGY + BETA E_p p,   C = (1 - BETA) E_p
 
-Rates: Cowper and Symonds, if SRC and SRP are given. The laws are those of explicit/plasticity.
+Rates: Cowper and Symonds, if SRC and SRP are given: of the whole strain (VP = 0), or of the plastic strain (VP = 1),
+each in proportion to Y. The laws are those of explicit/plasticity.
 Source: R. D. Krieg, S. W. Key, Implementation of a time dependent plasticity theory into structural computer programs
 (1976); Hallquist, LS-DYNA Theory Manual, material model 3.
 """
@@ -30,7 +31,12 @@ KEYWORD = Keyword(
         etan=real(0.0, at_least=0.0),
         beta=real(0.0, at_least=0.0),
     ),
-    Card(src=real(0.0, at_least=0.0), srp=real(0.0, at_least=0.0), fs=only(0.0), vp=only(0.0)),
+    Card(
+        src=real(0.0, at_least=0.0),
+        srp=real(0.0, at_least=0.0),
+        fs=only(0.0),
+        vp=real(0.0, choices=(0.0, 1.0)),
+    ),
     aliases=("MAT_003",),
     options=("TITLE",),
     repeat=True,

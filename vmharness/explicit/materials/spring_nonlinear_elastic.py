@@ -1,4 +1,8 @@
-"""A nonlinear elastic spring: force over elongation by a curve, the same in loading and unloading."""
+"""A nonlinear elastic spring: force over elongation by a curve, the same in loading and unloading.
+
+LCR is refused: it is said to be a factor of the force over the rate and to pass through (0, 0), by which a spring at
+rest would bear nothing; how LS-DYNA means it is not established.
+"""
 
 from vmharness.deck import Card, Deck, Entry, Keyword, integer, only
 from vmharness.explicit.characteristic import Characteristic, characteristic, ordinate, steepest

@@ -6,6 +6,8 @@
 """
 
 from vmharness.explicit.plasticity.piecewise_linear import Curve, value_and_slope
+from vmharness.explicit.plasticity.rate import Viscous
+from vmharness.explicit.plasticity.viscous import viscous_increment
 from vmharness.explicit.vector import inlined
 
 ITERATIONS = 5
@@ -23,3 +25,13 @@ def increment(trial: float, K: float, p: float, r: float, Y: Curve) -> float:
         y, slope = value_and_slope(Y, p + dp)
         dp = max(0.0, dp + (trial - K * dp - r * y) / (K + r * slope))
     return dp
+
+
+@inlined
+def rate_increment(
+    trial: float, K: float, p: float, r: float, Y: Curve, viscous: Viscous | None, dt: float
+) -> float:
+    """dp >= 0, whichever rate r goes by; the compiler keeps one form."""
+    if viscous is None:
+        return increment(trial, K, p, r, Y)
+    return viscous_increment(trial, K, p, Y, viscous, dt)

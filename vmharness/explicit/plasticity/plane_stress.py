@@ -17,7 +17,8 @@ comes up to the root and never passes it. Four steps give round-off at thirty ti
 
 from vmharness.explicit.plasticity.modulus import modulus
 from vmharness.explicit.plasticity.piecewise_linear import Curve, value_and_slope
-from vmharness.explicit.plasticity.rate import Rate, factor
+from vmharness.explicit.plasticity.rate import Rate, Viscous, factor, viscous_part
+from vmharness.explicit.plasticity.viscous import viscous_multiplier
 from vmharness.explicit.state import Array
 from vmharness.explicit.vector import inlined
 
@@ -72,6 +73,17 @@ def multiplier(P: float, Q: float, a: float, b: float, p: float, r: float, Y: Cu
 
 
 @inlined
+def with_rate(
+    P: float, Q: float, a: float, b: float, p: float, r: float, Y: Curve, viscous: Viscous | None, dt: float
+) -> tuple[float, float]:
+    """lambda and dp, whichever rate r goes by; the compiler keeps one form."""
+    x, dp = multiplier(P, Q, a, b, p, r, Y)
+    if viscous is None:
+        return x, dp
+    return viscous_multiplier(P, Q, a, b, p, Y, x, viscous, dt)
+
+
+@inlined
 def plane_stress(
     constants: tuple[float, float, float | None, Curve, Rate | None],
     dt: float,
@@ -108,7 +120,7 @@ def plane_stress(
     Q = 0.75 * eta_minus * eta_minus + 3 * (eta_xy * eta_xy + eta_yz * eta_yz + eta_zx * eta_zx)
     kinematic = 2 / 3 * modulus(C)
     a, b = bulk / 3 + kinematic, 2 * G + kinematic
-    x, dp = multiplier(P, Q, a, b, p, r, Y)
+    x, dp = with_rate(P, Q, a, b, p, r, Y, viscous_part(rate), dt)
 
     A, B = x / (1 + a * x), x / (1 + b * x)  # lambda eta = A or B times its trial
     new_plus, new_minus = plus - bulk / 3 * A * eta_plus, minus - 2 * G * B * eta_minus

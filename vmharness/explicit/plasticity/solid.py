@@ -4,10 +4,10 @@ xi_trial = s_trial - alpha,   q_trial - (3 G + C) dp = r Y(p + dp)
 s = s_trial - 3 G dp xi / q,   d(alpha) = C dp xi / q;   the pressure is elastic
 """
 
-from vmharness.explicit.plasticity.consistency import increment
+from vmharness.explicit.plasticity.consistency import rate_increment
 from vmharness.explicit.plasticity.modulus import modulus
 from vmharness.explicit.plasticity.piecewise_linear import Curve
-from vmharness.explicit.plasticity.rate import Rate, factor
+from vmharness.explicit.plasticity.rate import Rate, factor, viscous_part
 from vmharness.explicit.state import Array
 from vmharness.explicit.vector import inlined
 
@@ -85,7 +85,7 @@ def solid(
     xi = (s0 - back[0], s1 - back[1], s2 - back[2], s3 - back[3], s4 - back[4], s5 - back[5])
     q = (1.5 * squared_norm(xi)) ** 0.5
     r = factor(rate, 2 / 3 * squared_norm(de), dt)
-    dp = increment(q, 3 * G + modulus(C), p, r, Y)
+    dp = rate_increment(q, 3 * G + modulus(C), p, r, Y, viscous_part(rate), dt)
 
     flow = dp / (q + TINY)
     fall = 3 * G * flow

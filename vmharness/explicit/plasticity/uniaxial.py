@@ -2,10 +2,10 @@
 
 from math import copysign
 
-from vmharness.explicit.plasticity.consistency import increment
+from vmharness.explicit.plasticity.consistency import rate_increment
 from vmharness.explicit.plasticity.modulus import modulus
 from vmharness.explicit.plasticity.piecewise_linear import Curve
-from vmharness.explicit.plasticity.rate import Rate, factor
+from vmharness.explicit.plasticity.rate import Rate, factor, viscous_part
 from vmharness.explicit.state import Array
 from vmharness.explicit.vector import inlined
 
@@ -39,7 +39,8 @@ def uniaxial(
     E, _, C, Y, rate = constants
     p, trial = history[at], s + E * deps
     eta = trial - back_stress(C, history, at, stride)
-    dp = increment(abs(eta), E + modulus(C), p, factor(rate, deps * deps, dt), Y)
+    r = factor(rate, deps * deps, dt)
+    dp = rate_increment(abs(eta), E + modulus(C), p, r, Y, viscous_part(rate), dt)
     de_p = copysign(dp, eta)
     history[at] = p + dp
     move_back_stress(C, de_p, history, at, stride)

@@ -2,14 +2,26 @@
 
     d_n  = d_{n-1} + dt ddot_{n-1/2}        ddot_{n-1/2} = (v_2 - v_1) . m        f = S law(d, ddot)
 
-The force f, positive in tension, pulls node 1 along the axis e and node 2 against it. The axis is the direction of
-*DEFINE_SD_ORIENTATION, fixed in space, with m = e; or it goes from node 1 to node 2, r = x_2 - x_1:
+The force f, positive in tension, pulls node 1 along the axis e and node 2 against it. With a vector a that the axis
+lies along,
 
-    e_n = r_n/|r_n|        m = (r_{n-1} + r_n)/(|r_{n-1}| + |r_n|)
+    e_n = a_n/|a_n|        m = (a_{n-1} + a_n)/(|a_{n-1}| + |a_n|)
 
-With this m the increment dt ddot is |r_n| - |r_{n-1}|, the change of length without error however far the element
-turns. A torsional element (DRO = 1) has angular velocities for v, a rotation for d and moments for f; the axis is
-found in the same way. The elongation begins at OFFSET. Discrete elements have no mass, and a node without rotary
+where r = x_2 - x_1 and a is by *DEFINE_SD_ORIENTATION, with w its vector (IOP 0, 1) or that between its nodes (2, 3):
+
+    none        a = r
+    IOP 0, 2    a = w
+    IOP 1, 3    a = r - (r . w) w / (w . w), the projection on the plane normal to w
+
+With a = r this m makes the increment dt ddot = |r_n| - |r_{n-1}|, the change of length without error however far the
+element turns; so it does for IOP 1 with the length in the plane. An axis that is not along r exerts a moment, since its
+two forces are not on one line. A torsional element (DRO = 1) has angular velocities for v, a rotation for d and moments
+for f; the axis is found in the same way. The elongation begins at OFFSET.
+
+A clearance CL makes a spring one of compression alone, which begins at d = -CL: the law sees min(d + CL, 0). An element
+whose elongation passes FD (tension if positive, compression if negative) breaks for good.
+
+Discrete elements have no mass, and a node without rotary
 inertia does not turn.
 
 Source: LS-DYNA keyword manual, the cards; the equations follow from the definitions of length and work.

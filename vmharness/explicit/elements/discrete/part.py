@@ -15,12 +15,16 @@ from vmharness.explicit.state import Array, State
 
 ALONG, ABOUT = 0, 1  # DRO
 
+# Unit vectors (ne, 3), zero where there is none; and (ne, 3): two nodes or -1 for the direction between them, and
+# whether the axis is the projection on the plane normal to the one or the other.
+Orientation = tuple[Array, NDArray[np.intp]]
+
 
 class Discrete:
     """Discrete elements of one part: a force with the energy "spring and damper", stored and dissipated.
 
-    `nodes (ne, 2)`: rows of the state's arrays, -1 for the ground; `direction (ne, 3)`: unit vectors, or zero where
-    the axis follows the nodes; `size (ne,)`: S; `offset (ne,)`; `demand (2, n)`: stiffness and damping at the nodes
+    `nodes (ne, 2)`: rows of the state's arrays, -1 for the ground; `orientation`: see above; `limits`: CL and FD, 0
+    where there is none; `size (ne,)`: S; `offset (ne,)`; `demand (2, n)`: stiffness and damping at the nodes
     of *all* discrete elements that act as these do, filled before the first step. Consistent units.
     """
 
@@ -32,7 +36,8 @@ class Discrete:
         pid: int,
         eid: NDArray[np.int64],
         nodes: NDArray[np.intp],
-        direction: Array,
+        orientation: Orientation,
+        limits: tuple[float, float],
         size: Array,
         offset: Array,
         dro: int,
@@ -43,7 +48,9 @@ class Discrete:
         self.name, self.pid, self.eid = name, pid, eid
         self.elongation, self.force = np.zeros(eid.size), np.zeros(eid.size)
         self.energy = {"spring and damper": np.zeros(1)}
-        self.nodes, self._direction, self._size = nodes, direction, size
+        self.nodes, self._size, self._limits = nodes, size, limits
+        self._direction, self._guide = orientation
+        self._broken = np.zeros(eid.size, np.bool_)
         self._about = dro == ABOUT
         self._constants, self._demand = constants, demand
         self._history = np.zeros(law.HISTORY["spring"] * eid.size)
@@ -51,7 +58,7 @@ class Discrete:
         self._step = _compiled(step.step, law.spring)
         if offset.any():
             _compiled(step.load, law.spring)(
-                offset, size, constants, self.elongation, self.force, self._history, self._energy
+                offset, size, constants, limits[0], self.elongation, self.force, self._history, self._energy
             )
 
     @property
@@ -70,8 +77,11 @@ class Discrete:
             state.dt,
             self.nodes,
             self._direction,
+            self._guide,
             self._size,
             self._constants,
+            self._limits,
+            self._broken,
             self.elongation,
             self.force,
             self._history,

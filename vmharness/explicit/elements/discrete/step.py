@@ -27,15 +27,35 @@ def between(field: Array, ends: Index) -> Vector:
 
 
 @inlined
-def axes(x: Array, v: Array, dt: float, ends: Index, direction: Array) -> tuple[Vector, Vector]:
-    """The axis e_n, and the m along which rates are measured; a `direction` of zero follows the nodes."""
+def axes(x: Array, v: Array, dt: float, ends: Index, direction: Array, guide: Index) -> tuple[Vector, Vector]:
+    """The axis e_n, and the m along which rates are measured."""
     fixed = (direction[0], direction[1], direction[2])
-    if dot(fixed, fixed) > 0.0:
+    if dot(fixed, fixed) > 0.0 and guide[2] == 0:
         return fixed, fixed
-    now = between(x, ends)
+    now, w = between(x, ends), fixed
     before = subtract(now, scale(dt, between(v, ends)))
+    w_before = w
+    if guide[0] >= 0:
+        w = between(x, guide)
+        w_before = subtract(w, scale(dt, between(v, guide)))
+    if guide[2] == 1:
+        now, before = projected(now, w), projected(before, w_before)
+    elif guide[0] >= 0:
+        now, before = w, w_before
     length_now, length_before = np.sqrt(dot(now, now)), np.sqrt(dot(before, before))
     return scale(1.0 / length_now, now), scale(1.0 / (length_before + length_now), add(before, now))
+
+
+@inlined
+def projected(r: Vector, w: Vector) -> Vector:
+    """r - (r . w) w / (w . w)."""
+    return subtract(r, scale(dot(r, w) / dot(w, w), w))
+
+
+@inlined
+def borne(elongation: float, clearance: float) -> float:
+    """What the law sees of the elongation: with a clearance min(d + CL, 0)."""
+    return min(elongation + clearance, 0.0) if clearance > 0.0 else elongation
 
 
 def step(
@@ -45,8 +65,11 @@ def step(
     dt: float,
     nodes: Index,
     direction: Array,
+    guide: Index,
     size: Array,
     constants: tuple[float, ...],
+    limits: tuple[float, float],
+    broken: NDArray[np.bool_],
     elongation: Array,
     force: Array,
     history: Array,
@@ -55,13 +78,20 @@ def step(
 ) -> None:
     """Elongation, force and work 1/2 (f_{n-1} + f_n) dt ddot of each element; the forces go to its nodes.
 
-    `motion` and `push` are v and f of nodes, or omega and moment for torsional elements; `size` is S.
+    `motion` and `push` are v and f of nodes, or omega and moment for torsional elements; `size` is S; `limits` are CL
+    and FD; `direction` and `guide`: see part.py.
     """
+    clearance, failure = limits
     for i in range(nodes.shape[0]):
-        e, m = axes(x, v, dt, nodes[i], direction[i])
+        e, m = axes(x, v, dt, nodes[i], direction[i], guide[i])
         rate = dot(between(motion, nodes[i]), m)
         elongation[i] += dt * rate
-        f = size[i] * law(constants, dt, elongation[i], rate, history, i, nodes.shape[0])
+        d = borne(elongation[i], clearance)
+        f = size[i] * law(constants, dt, d, rate, history, i, nodes.shape[0])
+        if failure * elongation[i] > failure * failure:
+            broken[i] = True
+        if broken[i]:
+            f = 0.0
         energy[0] += 0.5 * (force[i] + f) * dt * rate
         force[i] = f
         for j in range(3):
@@ -74,6 +104,7 @@ def load(
     offset: Array,
     size: Array,
     constants: tuple[float, ...],
+    clearance: float,
     elongation: Array,
     force: Array,
     history: Array,
@@ -83,7 +114,8 @@ def load(
     for i in range(offset.size):
         increment = offset[i] / PIECES
         for piece in range(1, PIECES + 1):
-            f = size[i] * law(constants, 0.0, piece * increment, 0.0, history, i, offset.size)
+            d = borne(piece * increment, clearance)
+            f = size[i] * law(constants, 0.0, d, 0.0, history, i, offset.size)
             energy[0] += 0.5 * (force[i] + f) * increment
             force[i] = f
         elongation[i] = offset[i]
