@@ -8,13 +8,13 @@ from vmharness.deck.keywords.element_beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIE
 from vmharness.deck.keywords.element_solid import ELEMENT_SOLID
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.constraints.spc import Supports
-from vmharness.explicit.contacts.nodes_to_surface import NodesToSurface
 from vmharness.explicit.elements.discrete.part import Discrete
 from vmharness.explicit.elements.mass import ELEMENT_MASS
 from vmharness.explicit.loads.body import BodyLoad
 from vmharness.explicit.loads.node import NodalLoad
 from vmharness.explicit.loads.segment import Pressure
 from vmharness.explicit.model import Model
+from vmharness.explicit.penalty.contact import Contact
 from vmharness.explicit.shells import shell_faces
 from vmharness.explicit.state import Array
 from vmharness.result import View
@@ -43,7 +43,7 @@ def view_of(deck: Deck, model: Model) -> View:
         supports=np.flatnonzero(fixed),
         gravity=gravity,
         contacts=tuple(
-            (force.tracked, force.segments) for force in model.forces if isinstance(force, NodesToSurface)
+            (force.tracked, force.segments) for force in model.forces if isinstance(force, Contact)
         ),
         arrows=_arrows(model),
     )

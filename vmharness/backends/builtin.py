@@ -101,16 +101,16 @@ def probe_of(model: Model, channel: Channel) -> Probe:
     component = channel.component or ""
     if channel.energy is not None:
         return probe.energies(model, channel.energy, channel.part)
+    if channel.contact is not None:
+        return probe.contact(model, channel.contact, component, channel.node)
     if channel.node is not None:
         return probe.node(model, channel.node, component)
-    if channel.contact is not None:
-        return probe.contact(model, channel.contact, component)
     if channel.wall is not None:
         return probe.wall(model, channel.wall, component)
     if channel.centre is not None:
         return probe.centre(model, None if channel.centre == "all" else channel.centre, component)
     if channel.support is not None:
-        return probe.support(model, component)
+        return probe.support(model, component, None if channel.support == "all" else channel.support)
     if channel.motion is not None:
         return probe.motion(model, channel.motion, component)
     kind = next(kind for kind in ("shell", "solid", "beam", "discrete") if getattr(channel, kind) is not None)
