@@ -11,7 +11,7 @@ from vmharness.compare import Verdict
 from vmharness.evidence.faults import planted
 from vmharness.run import run
 
-NAMES = ("D-70", "VM-083", "VM-085", "VM-091", "VM-265")
+NAMES = ("D-40", "D-70", "VM-083", "VM-085", "VM-091", "VM-265")
 CASES = {name: read(Path(__file__).parents[1] / "cases" / name) for name in NAMES}
 FAULTS = [
     pytest.param(CASES[name], fault, id=f"{name}: {fault.text}")
