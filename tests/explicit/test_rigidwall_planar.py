@@ -270,6 +270,17 @@ def test_the_motion_of_a_wall_is_resolved_along_its_normal(wall_and):
         probe.wall(model, 2, "x-force")
 
 
+def test_a_node_in_a_groove_of_two_walls_stays_there(wall_and):
+    """Each wall drives the node a little behind the other, and neither loses it; together they carry it."""
+    groove = "".join(f"*RIGIDWALL_PLANAR\n0\n0,0,0,{side},0,1.0\n" for side in (3**0.5, -(3**0.5)))
+    model = wall_and(ball(x=0.01, z=0.4, v=(0.07, 0, -1.0)) + groove + "*LOAD_BODY_Z\n1,9.81\n", end=5.0)
+    show = [probe.wall(model, number, "z-impulse") for number in (1, 2)]
+    deepest = min(s.x[4, 2] for s in steps(model))
+    assert deepest > -0.01
+    assert abs(model.state.x[4, 2]) < 1e-3
+    assert sum(value() for value in show) == pytest.approx(2.0 * (1.0 + 9.81 * model.state.t), rel=1e-3)
+
+
 def test_momentum_of_many_impacts_is_conserved_to_round_off(wall_and):
     """Random masses and velocities, springs to each other by none: 40 nodes against one moving wall with friction."""
     random = np.random.default_rng(4)

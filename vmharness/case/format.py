@@ -66,7 +66,8 @@ class Channel(Table, frozen=True):
         ),
     ] = None
     support: Annotated[
-        Literal["all"] | int | None, Meta(description="Reactions of all supports together, or of that at a node")
+        Literal["all"] | int | None,
+        Meta(description="Reactions of all supports together, or of that at a node"),
     ] = None
     wall: Annotated[int | None, Meta(description="ID of the rigid wall, or its place among the walls")] = None
     centre: Annotated[

@@ -8,15 +8,7 @@ from vmharness.explicit.force import Force
 from vmharness.explicit.state import Array, State
 
 # Stored or dissipated: with the kinetic energy, the total. See `ratio`.
-STORED = (
-    "internal",
-    "spring and damper",
-    "hourglass",
-    "contact",
-    "friction",
-    "damping",
-    "rigid wall",
-)
+STORED = ("internal", "spring and damper", "hourglass", "contact", "friction", "damping", "rigid wall")
 
 
 def kinetic(state: State) -> float:

@@ -20,6 +20,9 @@ and one that pulls has r_i = 0: it lets go. Friction takes the tangential moment
 What wall and nodes exchange is conserved to round-off. The account "rigid wall" holds the kinetic energy of a moving
 wall, and what impacts and friction have taken.
 
+Walls act one after another, in the deck's order. Where several meet at right angles without friction that is exact;
+else a node may end a step behind the earlier one by a fraction of its way, which the next step corrects.
+
 A wall acts on nodes that come from its front; one that is behind it, round the edge of a finite wall or before BIRTH,
 passes. A node that a support or a prescribed motion holds along n has its master already, and is left out. The wall
 acts from BIRTH to DEATH; OFFSET > 0 leaves out nodes that begin farther from it.

@@ -3,6 +3,8 @@
 `motion` (3,) is the wall's displacement, velocity and acceleration along n; `inverse_mass` of it is 0 where it stands.
 `forces` (nt, 3) are r_i with friction; `reach` is how far off a node still is on the wall: the round-off of its place,
 or -infinity while the wall does not act. A node that cannot meet the wall has the trial value infinity: no impulse.
+`met` (nt,) is whether the wall pushed the node in the last step: then the node belongs to its front, even where another
+wall has driven it behind.
 """
 
 import numpy as np
@@ -14,6 +16,7 @@ from vmharness.explicit.vector import Vector, add, dot, inlined, scale, subtract
 from vmharness.explicit.walls.planar.face import NORMAL, along, covers
 
 Index = NDArray[np.intp]
+Flags = NDArray[np.bool_]
 
 
 @inlined
@@ -34,9 +37,9 @@ def common(w: float, inverse_mass: float, trial: Array, mass: Array, nodes: Inde
         momentum, weight = w, 1.0  # divided by M
         for k in range(nodes.size):
             if trial[k] < root:
-                share = inverse_mass * mass[nodes[k]]
-                momentum += share * trial[k]
-                weight += share
+                ratio = inverse_mass * mass[nodes[k]]
+                momentum += ratio * trial[k]
+                weight += ratio
         lower = momentum / weight
         if not lower < root:
             return root
@@ -85,7 +88,8 @@ def hold(a: Vector, v: Vector, mass: float, dt: float, n: Vector, limit: float) 
 @kernel
 def strike(
     x: Array, v: Array, a: Array, mass: Array, mean_dt: float, dt: float, nodes: Index, face: Array,
-    reach: float, motion: Array, inverse_mass: float, friction: float, forces: Array, trial: Array, impulse: Array,
+    reach: float, motion: Array, inverse_mass: float, friction: float, forces: Array, trial: Array, met: Flags,
+    impulse: Array,
 ) -> float:  # fmt: skip
     """Move wall and nodes to velocities at t_{n+1/2} with which no node of the front ends the step dt behind the wall.
 
@@ -95,7 +99,10 @@ def strike(
     n = row(face, NORMAL)
     motion[1] += mean_dt * motion[2]
     for k in range(nodes.size):
-        trial[k] = approach(row(x, nodes[k]), row(v, nodes[k]), dt, face, reach, motion[0], motion[1])
+        p, velocity = row(x, nodes[k]), row(v, nodes[k])
+        near = -np.inf if met[k] else -reach  # a node of the front is not behind this
+        caught = reach >= 0.0 and along(face, NORMAL, p) - motion[0] >= near
+        trial[k] = approach(p, velocity, dt, face, motion[0], motion[1]) if caught else np.inf
     motion[1] = common(motion[1], inverse_mass, trial, mass, nodes)
     motion[0] += dt * motion[1]
 
@@ -107,6 +114,7 @@ def strike(
         given = scale(mean_dt, row(forces, k))
         p = scale(blow, n)
         total = blow + dot(given, n)
+        met[k] = total > 0.0
         if friction > 0.0 and total > 0.0:
             held = across(given, n)
             demand = subtract(held, across(scale(mass[i], row(v, i)), n))
@@ -121,11 +129,11 @@ def strike(
 
 
 @kernel
-def approach(x: Vector, v: Vector, dt: float, face: Array, reach: float, place: float, speed: float) -> float:
+def approach(x: Vector, v: Vector, dt: float, face: Array, place: float, speed: float) -> float:
     """s = u + g/dt of a node that would pass through the face within the step, else infinity."""
     gap = along(face, NORMAL, x) - place
     u = dot(row(face, NORMAL), v)
-    if gap < -reach or gap + dt * (u - speed) >= 0.0:
+    if gap + dt * (u - speed) >= 0.0:
         return np.inf
     passed = gap / (speed - u) if gap > 0.0 else 0.0  # the time until the node is at the face
     return u + gap / dt if covers(face, add(x, scale(passed, v))) else np.inf

@@ -27,6 +27,7 @@ class PlanarWall:
         self.motion = np.array([0.0, velocity, 0.0])  # displacement at t_n, velocity at t_{n-1/2}, A at t_n
         self.forces = np.zeros((nodes.size, 3))  # r_i at t_n on the nodes, with friction
         self.trial = np.full(nodes.size, np.inf)
+        self.met = np.zeros(nodes.size, bool)  # by the wall, in the last step
         self.blow = np.zeros(3)  # the sum of impulses beyond these forces, of the last step
         self.force = np.zeros(3)  # on all nodes: forces at t_n, and impulses over the step that they fell in
         self.given = np.zeros(3)  # all that the nodes have received until t_{n-1/2}
@@ -56,7 +57,7 @@ class PlanarWall:
         s, mean_dt = state, 0.5 * (state.dt + dt)
         self.energy["rigid wall"] -= strike(
             s.x, s.v, s.a, s.mass, mean_dt, dt, self.nodes, self.face, self._reach(s.t), self.motion,
-            self.inverse_mass, self.friction, self.forces, self.trial, self.blow,
+            self.inverse_mass, self.friction, self.forces, self.trial, self.met, self.blow,
         )  # fmt: skip
         self.given += mean_dt * self.forces.sum(axis=0) + self.blow
 
