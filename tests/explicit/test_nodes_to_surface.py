@@ -7,8 +7,8 @@ import pytest
 
 from vmharness.deck import DeckError
 from vmharness.explicit import energy, probe
-from vmharness.explicit.penalty.contact import Contact
 from vmharness.explicit.loop import steps
+from vmharness.explicit.penalty.contact import Contact
 
 K_WALL = math.sqrt(2.0)  # K A / d of the wall, before SLSFAC
 
@@ -165,15 +165,15 @@ def test_penopt_takes_the_softer_of_segment_and_tracked_shell(wall_and):
     text = FREE_PLATE.replace("5.0", "0.001") + "*SET_NODE_LIST\n2\n11,12,13,14\n"
     for sfsa, sfsb, factor in ((1.0, 0.25, 0.25), (0.5, 1.0, 0.5)):
         model = wall_and(text + contact(sfsa=sfsa, sfsb=sfsb), end=1.0)
-        force = contact_of(model)
-        k = np.minimum(force.passes[0].segments["penalty"][0], force.passes[0].nodes["penalty"])
+        (one,) = contact_of(model).passes
+        k = np.minimum(one.segments["penalty"], one.nodes["penalty"])
         np.testing.assert_allclose(k, factor * K_WALL)
 
 
 def test_unsupported_options_name_field_and_value(wall_and):
     with pytest.raises(
-        DeckError, match=r"deck.k:\d+: \*CONTACT_NODES_TO_SURFACE: PENCHK = 3: .*supported"
+        DeckError, match=r"deck.k:\d+: \*CONTACT_NODES_TO_SURFACE: SABOXID = 3: only 0 is supported"
     ):
-        wall_and(ball() + contact().replace("2,1,4,3\n\n", "2,1,4,3\n,,,,,3\n"))
+        wall_and(ball() + contact().replace("2,1,4,3\n\n", "2,1,4,3,3\n\n"))
     with pytest.raises(DeckError, match=r"SURFA = 9: .*no \*SET_NODE.* with SID = 9; defined: 2"):
         wall_and(ball() + contact().replace("2,1,4,3\n", "9,1,4,3\n"))

@@ -106,7 +106,7 @@ def probe_of(model: Model, channel: Channel) -> Probe:
     if channel.node is not None:
         return probe.node(model, channel.node, component)
     if channel.support is not None:
-        return probe.support(model, component)
+        return probe.support(model, component, None if channel.support == "all" else channel.support)
     if channel.motion is not None:
         return probe.motion(model, channel.motion, component)
     kind = next(kind for kind in ("shell", "solid", "beam", "discrete") if getattr(channel, kind) is not None)

@@ -65,7 +65,9 @@ class Channel(Table, frozen=True):
             description="CID of the contact, or its place among the contacts; with node, the force on that node"
         ),
     ] = None
-    support: Annotated[Literal["all"] | None, Meta(description="Reactions of all supports together")] = None
+    support: Annotated[
+        Literal["all"] | int | None, Meta(description="Reactions of all supports together, or of that at a node")
+    ] = None
     motion: Annotated[int | None, Meta(description="Number of the prescribed motion in the deck's order")] = (
         None
     )

@@ -54,7 +54,7 @@ def contact(model: Model, number: int, component: str, nid: int | None = None) -
         places = np.flatnonzero(model.ids[found.tracked] == nid)
         if not places.size:
             raise ProbeError(f"no node {nid} among the tracked nodes of contact {number}")
-        on_node = {f"{axis}-force": _summed(found.forces, places, i) for axis, i in AXES.items()}
+        on_node = {f"{axis}-force": _summed(found, places, i) for axis, i in AXES.items()}
         return _choose(on_node, component, "on a node in contact")
     probes: dict[str, Probe] = {
         **{f"{axis}-force": found.force[i : i + 1].item for axis, i in AXES.items()},
@@ -66,18 +66,23 @@ def contact(model: Model, number: int, component: str, nid: int | None = None) -
     return _choose(probes, component, "of a contact")
 
 
-def _summed(forces: Array, places: NDArray[np.intp], axis: int) -> Probe:
-    """The sum of the forces on a node that is tracked against both sides, or once."""
-    return lambda: float(forces[places, axis].sum())
+def _summed(found: Contact, places: NDArray[np.intp], axis: int) -> Probe:
+    """The sum of the forces on a node that is tracked once, or against both sides."""
+    return lambda: float(found.forces[places, axis].sum())
 
 
-def support(model: Model, component: str) -> Probe:
-    """A component of the sum of all reactions of supports: `z-force`, `x-moment`."""
+def support(model: Model, component: str, nid: int | None = None) -> Probe:
+    """A component of the sum of all reactions of supports, or of those at one node: `z-force`, `x-moment`."""
     supports = [item for item in model.constraints if isinstance(item, Supports)]
     if not supports:
         raise ProbeError("no support in the deck")
     # One constraint holds all supports of a deck.
-    return _resultant(supports[0].total, component, "of a support")
+    if nid is None:
+        return _resultant(supports[0].total, component, "of a support")
+    rows = np.flatnonzero(model.ids == nid)
+    if not rows.size or not supports[0].fixed[rows[0]].any():
+        raise ProbeError(f"no support at node {nid}")
+    return _resultant(supports[0].reaction[rows[0]], component, "of a support")
 
 
 def motion(model: Model, number: int, component: str) -> Probe:
