@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.explicit.compiled import kernel
+from vmharness.explicit.penalty.beside import SMOOTH, touched
 from vmharness.explicit.penalty.bucket import box, outside
-from vmharness.explicit.penalty.follow import SMOOTH, follow, touched
+from vmharness.explicit.penalty.follow import follow
 from vmharness.explicit.penalty.place import first_guess, half_thickness, place
 from vmharness.explicit.penalty.touch import MOST, Record, Records
 from vmharness.explicit.segment import (
@@ -58,7 +59,7 @@ def look(
         guess_xi, guess_eta = first_guess(segment["triangle"])
         xi, eta, out, away, n = place(x, segment, p, guess_xi, guess_eta)
         free = np.sqrt(dot(away, away)) - half
-        if again(x, segments, touches, node["count"], s, out > 0.0 and half > 0.0, n, first, beside):
+        if again(x, segments, touches, node["count"], s, out > 0.0, n, first, beside):
             continue
         if (free <= step or start) and node["count"] < MOST:
             side = begins(x, v, dt, segment, node, p, xi, eta, free, maxpar, start, easing)
@@ -87,7 +88,7 @@ def again(
     x: Array, segments: Records, touches: Records, count: int, s: int, at_edge: bool, n: Vector,
     first: Index, beside: Index,
 ) -> bool:  # fmt: skip
-    """Whether segment s continues a surface that the node touches: beside it, smoothly or by the same edge."""
+    """Whether segment s continues a surface that the node touches: beside it, smoothly or nearest at its border."""
     for k in range(count):
         r = touches[k]["segment"]
         for e in range(first[r], first[r + 1]):
