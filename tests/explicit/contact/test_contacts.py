@@ -146,7 +146,7 @@ def test_nodes_that_begin_inside_are_kept_without_force_by_ignore(deck):
 def test_channels_of_a_contact_that_are_not_there_are_refused(deck):
     model = build(bricks(deck, "NODES_TO_SURFACE", "2,1,3,3"))
     with pytest.raises(
-        probe.ProbeError, match="no 'pressure' of a contact; there are: x-force, .*friction energy"
+        probe.ProbeError, match=r"no 'pressure' of a contact; there are: x-force, .*friction energy"
     ):
         probe.contact(model, 1, "pressure")
     with pytest.raises(probe.ProbeError, match="no node 1 among the tracked nodes of contact 1"):

@@ -6,7 +6,6 @@ from vmharness.explicit.parts import Index
 from vmharness.explicit.state import Array
 from vmharness.explicit.surface.faces import area_vectors
 
-
 ROUND_OFF = 1e-9  # of the segments' size: nodes that lie in the surface are not behind it
 
 
