@@ -164,6 +164,6 @@ def test_soft_1_takes_the_stiffness_that_the_step_allows(scene, bench):
     ball = scene.nodes([0.0, 0.0, 0.0], v=[0.0, 0.0, -1.0], mass=0.2)
     weak = (bench.tracked(ball), bench.segments(nodes, penalty=1e-3))
     contact, dt = bench.contact(weak, soft=1, sofscl=0.1), 1e-3
-    for s in bench.march(scene.state(), [contact], dt, 1):
+    for _ in bench.march(scene.state(), [contact], dt, 1):
         pass
     assert contact.force[2] == pytest.approx(0.1 * 0.2 / dt**2 * dt, rel=1e-9)

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.compiled import kernel
+from vmharness.explicit.compiled import uncounted
 from vmharness.explicit.penalty.bucket import joins
 from vmharness.explicit.penalty.place import first_guess, place
 from vmharness.explicit.penalty.touch import Record, Records
@@ -17,7 +17,7 @@ SMOOTH = 0.5  # cosine between normals of segments that are one surface, and bet
 SAME = 1e-9  # of a distance: the point on a common border is equally near from both sides
 
 
-@kernel
+@uncounted
 def nearer(
     x: Array, node: Record, touches: Records, s: int, side: float, out: float, away: Vector, n: Vector,
     segments: Records, first: Index, beside: Index,
