@@ -134,11 +134,11 @@ def test_nothing_slips_through_a_crumpled_surface(scene, bench, two_sided):
     contact = bench.contact((bench.tracked(drops), kind))
     state = scene.state()
     touched = np.zeros(400, bool)
-    for s in bench.march(state, [contact], 2e-4, 1500):
+    for _ in bench.march(state, [contact], 2e-4, 1500):
         touched |= contact.forces.any(axis=1)
-    within = np.abs(s.x[drops, :2]).max(axis=1) < 1.9
+    within = np.abs(state.x[drops, :2]).max(axis=1) < 1.9
     assert touched[within].all()
-    above = s.x[drops, 2] - hills(s.x[drops, 0], s.x[drops, 1])[2]
+    above = state.x[drops, 2] - hills(state.x[drops, 0], state.x[drops, 1])[2]
     assert (above[within] > -0.15).all()
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.compiled import kernel
+from vmharness.explicit.compiled import uncounted
 from vmharness.explicit.penalty.bucket import joins
 from vmharness.explicit.penalty.place import first_guess, place
 from vmharness.explicit.penalty.touch import Record, Records
@@ -17,7 +17,7 @@ SMOOTH = 0.5  # cosine between normals of segments that are one surface, and bet
 SAME = 1e-9  # of a distance: the point on a common border is equally near from both sides
 
 
-@kernel
+@uncounted
 def nearer(
     x: Array, node: Record, touches: Records, s: int, side: float, out: float, away: Vector, n: Vector,
     segments: Records, first: Index, beside: Index,
@@ -28,7 +28,7 @@ def nearer(
     """
     p, best, best_turn, shared, least = at(x, node["row"]), -1, 1.0, False, dot(away, away)
     height = side * dot(away, n)
-    squarest = -height / max(least, 1e-300) ** 0.5
+    squarest = own = -height / max(least, 1e-300) ** 0.5
     for e in range(first[s], first[s + 1]):
         q = beside[e]
         if joins(segments[q], node["row"]) or touched(touches, q, node["count"]):
@@ -41,7 +41,10 @@ def nearer(
         square = dot(other, other)
         behind = -side * turn * dot(other, m) / max(square, 1e-300) ** 0.5
         common = square <= (1.0 + SAME) * dot(away, away)
-        shared = shared or (common and max(behind, squarest) >= SMOOTH)
+        between = (own + behind) / max(
+            2.0 + 2.0 * turn * dot(n, m), 1e-300
+        ) ** 0.5  # along the mean of the normals
+        shared = shared or (common and max(behind, own, between) >= SMOOTH)
         if square < (1.0 - SAME) * least or (square <= (1.0 + SAME) * least and behind > squarest + SAME):
             best, best_turn, least, squarest = q, turn, square, behind
     return best, best_turn, shared
