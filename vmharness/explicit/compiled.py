@@ -17,6 +17,8 @@ if CACHED:
 
 # NaN stays NaN and operations keep their order ("contract" only fuses a*b + c); division by zero gives inf.
 OPTIONS: dict[str, Any] = {"cache": CACHED, "error_model": "numpy", "fastmath": {"contract"}}
+# For kernels that make no arrays: those that they are given are not counted as they are handed on, 10 ns each time.
+UNCOUNTED: dict[str, Any] = {**OPTIONS, "_nrt": False}
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -30,6 +32,12 @@ def kernel(function: Function, nogil: bool = False) -> Function:
 def concurrent(function: Function) -> Function:
     """A kernel beside which other threads run: for loops over all nodes or elements, since it costs 50 ns a call."""
     return kernel(function, nogil=True)
+
+
+def uncounted(function: Function) -> Function:
+    """A kernel that makes no arrays, in place where it is called many times for little."""
+    compiled: Function = numba.njit(**UNCOUNTED)(function)
+    return compiled
 
 
 def specialise(function: Callable[..., Any], **bound: Callable[..., Any]) -> Callable[..., Any]:

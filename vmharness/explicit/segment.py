@@ -115,7 +115,7 @@ def project(triangle: bool, c: Corners, p: Vector, xi: float, eta: float) -> tup
         if longest > 2.0:
             step_xi, step_eta = 2.0 * step_xi / longest, 2.0 * step_eta / longest
         xi, eta = xi + step_xi, eta + step_eta
-        if dot(w, w) * longest**4 <= CONVERGED**2 * min(aa, bb) or longest < CONVERGED:
+        if longest < CONVERGED or (longest <= 2.0 and dot(w, w) * longest**4 <= CONVERGED**2 * min(aa, bb)):
             break
     return xi, eta
 

@@ -7,11 +7,11 @@ from typing import TypeAlias
 
 import numba
 
-from vmharness.explicit.compiled import OPTIONS
+from vmharness.explicit.compiled import UNCOUNTED
 
 Vector: TypeAlias = tuple[float, float, float]
 
-inlined = numba.njit(**OPTIONS, forceinline=True)
+inlined = numba.njit(**UNCOUNTED, forceinline=True)
 
 
 @inlined

@@ -58,7 +58,7 @@ def test_over_bends_the_force_is_the_gradient_of_one_potential(scene, bench, ben
     assert forces.any(axis=1).all()
     squares = (forces**2).sum(axis=1) / (2.0 * 1000.0)
     work = -np.cumsum(0.5 * (forces[1:] + forces[:-1]) @ path * 1e-4)
-    np.testing.assert_allclose(squares[1:] - squares[0], work, atol=1e-3 * squares.max())
+    np.testing.assert_allclose(squares[1:] - squares[0], work, atol=2e-3 * squares.max())
 
 
 def test_a_node_that_slides_off_an_edge_is_let_go_at_once(scene, bench):
@@ -130,20 +130,20 @@ def test_nothing_slips_through_a_crumpled_surface(scene, bench, two_sided):
     start = np.column_stack([rng.uniform(-1.2, 1.2, (400, 2)), rng.uniform(0.6, 1.0, 400)])
     motion = np.column_stack([rng.uniform(-1, 1, (400, 2)), -(10.0 ** rng.uniform(0.7, 1.5, 400))])
     drops = scene.nodes(start, v=motion, mass=1e-3)
-    kind = bench.segments(nodes, penalty=4000.0, thickness=0.02 * two_sided, two_sided=two_sided)
+    kind = bench.segments(nodes, penalty=4000.0, thickness=0.06 * two_sided, two_sided=two_sided)
     contact = bench.contact((bench.tracked(drops), kind))
     state = scene.state()
     touched = np.zeros(400, bool)
-    for s in bench.march(state, [contact], 2e-4, 1500):
+    for _ in bench.march(state, [contact], 2e-4, 1500):
         touched |= contact.forces.any(axis=1)
-    within = np.abs(s.x[drops, :2]).max(axis=1) < 1.9
+    within = np.abs(state.x[drops, :2]).max(axis=1) < 1.9
     assert touched[within].all()
-    above = s.x[drops, 2] - hills(s.x[drops, 0], s.x[drops, 1])[2]
+    above = state.x[drops, 2] - hills(state.x[drops, 0], state.x[drops, 1])[2]
     assert (above[within] > -0.15).all()
 
 
 def test_a_corner_of_three_walls_holds_what_runs_into_it(scene, bench):
-    # The inner corner of a box: the node is pushed back by all three walls at once, and leaves as it came.
+    # The inner corner of a box: all three walls push the node back at once, and it leaves as it came.
     grid = np.linspace(0.0, 2.0, 5)
     floor = scene.sheet(lambda a, b: (a, b, 0.0), grid, grid, mass=0.0)
     left = scene.sheet(lambda a, b: (0.0, a, b), grid, grid, mass=0.0)
@@ -155,10 +155,12 @@ def test_a_corner_of_three_walls_holds_what_runs_into_it(scene, bench):
     walls = np.array([[same[tuple(np.round(points[r], 9))] for r in face] for face in walls])
     ball = scene.nodes([0.1, 0.11, 0.12], v=[-1.0, -1.1, -1.2], mass=0.01)
     contact = bench.contact((bench.tracked(ball), bench.segments(walls)))
-    most = 0
+    held = False
     for s in bench.march(scene.state(), [contact], 1e-5, 30000):
-        most = max(most, int(contact.passes[0].nodes["count"][0]))
-    assert most == 3
+        depth = np.maximum(-s.x[ball[0]], 0.0)
+        np.testing.assert_allclose(contact.force, 1000.0 * depth, rtol=1e-9, atol=1e-9)
+        held |= bool((depth > 0.0).all())
+    assert held
     assert contact.touching() == 0
     np.testing.assert_allclose(s.v[ball[0]], [1.0, 1.1, 1.2], rtol=1e-4)
 

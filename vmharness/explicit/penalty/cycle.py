@@ -9,7 +9,7 @@ at before that can have been used up.
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.compiled import kernel
+from vmharness.explicit.compiled import uncounted
 from vmharness.explicit.penalty.follow import follow
 from vmharness.explicit.penalty.onset import look
 from vmharness.explicit.penalty.push import push
@@ -22,7 +22,7 @@ Index = NDArray[np.intp]
 REACH = 1.01  # so that a node which begins to fall from the surface itself is not missed by round-off
 
 
-@kernel
+@uncounted
 def cycle(
     f: Array, x: Array, v: Array, a: Array, mass: Array, dt: float, nodes: Records, segments: Records,
     touches: Records, first: Index, beside: Index, near_first: Index, near: Index, rows: Index,
@@ -43,7 +43,7 @@ def cycle(
         node = nodes[t]
         if node["count"] == 0 and node["clear"] > travel and not sorted_now:
             continue
-        own = touches[t]
+        own = touches[:, t]
         for k in range(node["count"]):
             half_work(x, v, dt, node, segments, own[k], rule, account)
         node["force"][0] = node["force"][1] = node["force"][2] = 0.0
@@ -61,7 +61,7 @@ def cycle(
     return True
 
 
-@kernel
+@uncounted
 def keep_up(
     x: Array, node: Record, touches: Records, segments: Records, first: Index, beside: Index, maxpar: float,
     account: Array,
@@ -82,7 +82,7 @@ def keep_up(
     return changed
 
 
-@kernel
+@uncounted
 def fastest(v: Array, nodes: Records, rows: Index) -> float:
     """A bound of the relative velocity of any of the nodes and any of the `rows` of segments."""
     square = 0.0

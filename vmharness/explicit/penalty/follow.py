@@ -2,18 +2,20 @@
 
 The contact point is the closest point of the surface, found from the last one: within the segment, on its border, or on
 a neighbour that is nearer. Force derives from the potential k g^2 / 2 of the distance, so it does not jump where
-segments join flat, and does no work on a round trip where they join at an angle. Where segments meet by more than 60
-degrees the surface is taken to end, for a node behind it: the other side of a sharp edge is not where it came from.
+segments join flat, and does no work on a round trip where they join at an angle. A node behind two walls of a valley is
+nearest to the edge between them: it is pushed by both, since (a^2 + b^2)/2 is the potential of both. The surface ends
+where segments join by a ridge of more than 60 degrees, for a node behind it: the other side of a sharp edge is not
+where it came from.
 
 Beyond the end of the surface, a node behind it is kept up to MAXPAR, and a node in front of a shell, within the
-thicknesses, is kept by the edge itself, which is round. A node that is held by two walls of a corner is kept by both.
+thicknesses, is kept by the edge itself, which is round.
 """
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.compiled import kernel
-from vmharness.explicit.penalty.bucket import joins
+from vmharness.explicit.compiled import uncounted
+from vmharness.explicit.penalty.beside import nearer
 from vmharness.explicit.penalty.place import first_guess, half_thickness, place
 from vmharness.explicit.penalty.touch import Record, Records
 from vmharness.explicit.segment import at, beyond, corners, interpolate, normal, project, shape, tangents
@@ -22,13 +24,10 @@ from vmharness.explicit.vector import Vector, dot, inlined, scale, subtract
 
 Index = NDArray[np.intp]
 
-SMOOTH = 0.5  # cosine between normals of segments that are one surface
 HOPS = 4  # borders crossed within one step
-SAME = 1e-9  # of a distance: the point on a common border is equally near on both sides
-CORNER = 0.5  # in xi and eta, beyond the border towards a wall that holds the node as well
 
 
-@kernel
+@uncounted
 def follow(
     x: Array, node: Record, touches: Records, k: int, segments: Records, first: Index, beside: Index, maxpar: float
 ) -> bool:  # fmt: skip
@@ -40,31 +39,27 @@ def follow(
         xi, eta, out, away, n = place(x, segments[s], p, xi, eta)
         if inside(x, segments[s], xi, eta, out, away):
             break
-        other, turn, shared = nearer(
-            x, node, touches, k, s, side * dot(away, n), out, away, n, segments, first, beside
-        )
+        other, turn, shared = nearer(x, node, touches, s, side, out, away, n, segments, first, beside)
         if other < 0:
             break
         s, side = other, side * turn
+        touch["segment"] = s
         xi, eta = first_guess(segments[s]["triangle"])
 
-    distance, height = np.sqrt(dot(away, away)), side * dot(away, n)
-    steep = abs(height) >= SMOOTH * distance
     segment = segments[s]
-    if out > 0.0 and distance > 0.0 and (height >= 0.0 or (segment["two_sided"] and not (shared and steep))):
+    distance, height = np.sqrt(dot(away, away)), side * dot(away, n)
+    if out > 0.0 and distance > 0.0 and (height >= 0.0 or (segment["two_sided"] and not shared)):
         n = scale(1.0 / distance, away)  # in front of an edge, which is round
-        if height < 0.0 and segment["two_sided"]:
+        if height < 0.0:
             side = -side
         height = distance
-    elif out > 0.0 and distance > 0.0 and shared and steep:
-        n = scale(-1.0 / distance, away)  # behind a valley between two segments
+    elif out > 0.0 and distance > 0.0 and shared:
+        n = scale(-1.0 / distance, away)  # behind a valley
         height = -distance
     else:
         if out > 0.0:
             xi, eta, out, height, n = extended(x, segment, p, xi, eta, side)
-            if out > maxpar - 1.0 and not (
-                out < CORNER and held(touches, k, s, node["count"], first, beside)
-            ):
+            if out > maxpar - 1.0:
                 return False
         n = scale(side, n)
     write(touch, s, side, xi, eta, n, height - half_thickness(node, segment))
@@ -95,49 +90,3 @@ def extended(
     n = normal(triangle, c, xi, eta)
     height = side * dot(subtract(p, interpolate(c, shape(triangle, xi, eta))), n)
     return xi, eta, beyond(triangle, xi, eta), height, n
-
-
-@kernel
-def nearer(
-    x: Array, node: Record, touches: Records, k: int, s: int, height: float, out: float, away: Vector, n: Vector,
-    segments: Records, first: Index, beside: Index,
-) -> tuple[int, float, bool]:  # fmt: skip
-    """The neighbour of s that is nearest, or -1 where s is; what it makes of the side; whether s shares its point."""
-    p, best, turn, shared, least = at(x, node["row"]), -1, 1.0, False, dot(away, away)
-    for e in range(first[s], first[s + 1]):
-        q = beside[e]
-        if joins(segments[q], node["row"]) or touched(touches, q, node["count"]):
-            continue
-        xi, eta = first_guess(segments[q]["triangle"])
-        _, _, _, other, m = place(x, segments[q], p, xi, eta)
-        cosine, two_sided = dot(n, m), segments[q]["two_sided"]
-        round_edge = height >= 0.0 and out > 0.0 and (two_sided or dot(other, m) >= 0.0)
-        if not round_edge and (abs(cosine) if two_sided else cosine) < SMOOTH:
-            continue
-        square = dot(other, other)
-        shared = shared or square <= (1.0 + SAME) * dot(away, away)
-        if square < (1.0 - SAME) * least:
-            best, least = q, square
-            flips = two_sided and (dot(other, m) * np.sign(height) < 0.0 if round_edge else cosine < 0.0)
-            turn = -1.0 if flips else 1.0
-    return best, turn, shared
-
-
-@inlined
-def touched(touches: Records, s: int, count: int) -> bool:
-    """Whether the node touches segment s."""
-    found = False
-    for k in range(count):
-        found = found or touches[k]["segment"] == s
-    return found
-
-
-@kernel
-def held(touches: Records, k: int, s: int, count: int, first: Index, beside: Index) -> bool:
-    """Whether the node touches a neighbour of segment s by another touch than k."""
-    for other in range(count):
-        if other != k:
-            for e in range(first[s], first[s + 1]):
-                if beside[e] == touches[other]["segment"]:
-                    return True
-    return False

@@ -9,7 +9,7 @@ What slips, ds, dissipates (|f_{n-1}| + |f_n|)/2 |ds|; what sticks is a spring a
 
 import numpy as np
 
-from vmharness.explicit.compiled import kernel
+from vmharness.explicit.compiled import uncounted
 from vmharness.explicit.penalty.touch import Record
 from vmharness.explicit.segment import Corners, at_time, corners, tangents
 from vmharness.explicit.state import Array
@@ -27,7 +27,7 @@ from vmharness.explicit.vector import (
 )
 
 
-@kernel
+@uncounted
 def rub(
     x: Array, v: Array, dt: float, node: Record, segment: Record, touch: Record, rule: Record, account: Array,
     k: float, pressing: float, velocity: Vector, n: Vector,
@@ -58,7 +58,7 @@ def limit(pressing: float, speed: float, fs: float, fd: float, dc: float, vc_are
     return float(min(mu * pressing, vc_area))
 
 
-@kernel
+@uncounted
 def stretch(slip: Vector, increment: Vector, k: float, most: float) -> tuple[Vector, float]:
     """The stretch of the spring after an increment, and how much of it has slipped, with k |s| <= `most`."""
     trial = add(slip, increment)
@@ -82,7 +82,7 @@ def triad(triangle: bool, c: Corners, xi: float, eta: float) -> tuple[Vector, Ve
     return e1, cross(e3, e1), e3
 
 
-@kernel
+@uncounted
 def turned(triangle: bool, old: Corners, new: Corners, xi: float, eta: float, a: Vector, n: Vector) -> Vector:
     """The vector a turned as the segment turns from `old` to `new`, then laid across n at the same length."""
     with_it = combine(triad(triangle, new, xi, eta), components(triad(triangle, old, xi, eta), a))

@@ -31,7 +31,8 @@ def ways_out(x: Array, nodes: Records, segments: Records, first: Index, near: In
     for t in range(nodes.size):
         node = nodes[t]
         p = at(x, node["row"])
-        for s in nearest(x, node, segments, near[first[t] : first[t + 1]]):
+        s = nearest(x, node, segments, near[first[t] : first[t + 1]])
+        if s >= 0:
             segment = segments[s]
             c, half = corners(x, segment["nodes"]), half_thickness(node, segment)
             xi, eta, _, away, n = place(x, segment, p, 0.25, 0.25)
@@ -42,9 +43,10 @@ def ways_out(x: Array, nodes: Records, segments: Records, first: Index, near: In
                     ways[t] = to
             else:
                 xi, eta, height = gap(segment["triangle"], c, p, xi, eta)
+                depth = half - height  # beyond the depth of release it is the far side of the same solid
                 if (
-                    half - height > ROUND_OFF * size(c)
+                    ROUND_OFF * size(c) < depth <= segment["release"]
                     and beyond(segment["triangle"], xi, eta) <= maxpar - 1.0
                 ):
-                    ways[t] = scale(half - height, n)
+                    ways[t] = scale(depth, n)
     return ways

@@ -21,7 +21,7 @@ class OneWay:
 
     def __init__(self, tracked: Tracked, segments: Segments, options: Options) -> None:
         self.nodes, self.segments = node_records(tracked), segment_records(segments)
-        self.touches = np.zeros((tracked.nodes.size, MOST), TOUCH)
+        self.touches = np.zeros((MOST, tracked.nodes.size), TOUCH)  # the first of all nodes side by side
         self.first, self.beside = neighbours(np.ascontiguousarray(segments.nodes))
         self.near_first, self.near = np.zeros(tracked.nodes.size + 1, np.intp), np.zeros(0, np.intp)
         self.rows = np.unique(segments.nodes)

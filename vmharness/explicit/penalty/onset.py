@@ -10,9 +10,10 @@ t_{n-1}, and by a node that has passed through all of it in one step.
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.compiled import kernel
+from vmharness.explicit.compiled import uncounted
+from vmharness.explicit.penalty.beside import SMOOTH, touched
 from vmharness.explicit.penalty.bucket import box, outside
-from vmharness.explicit.penalty.follow import SMOOTH, follow, touched
+from vmharness.explicit.penalty.follow import follow
 from vmharness.explicit.penalty.place import first_guess, half_thickness, place
 from vmharness.explicit.penalty.touch import MOST, Record, Records
 from vmharness.explicit.segment import (
@@ -35,7 +36,7 @@ ROUND_OFF = 1e-9  # of a segment: at the start, who is behind by no more is in c
 BEHIND = 0.01  # of the change of the gap: so far behind at t_{n-1} is round-off
 
 
-@kernel
+@uncounted
 def look(
     x: Array, v: Array, dt: float, step: float, node: Record, touches: Records, segments: Records,
     first: Index, beside: Index, near: Index, maxpar: float, start: bool, ignore: bool,
@@ -46,9 +47,10 @@ def look(
     """
     p, least = at(x, node["row"]), np.inf
     easing = start and ignore
-    if easing:  # an initial penetration is that of the nearest segment
-        near = nearest(x, node, segments, near)
+    only = nearest(x, node, segments, near) if easing else -1
     for s in near:
+        if easing and s != only:  # an initial penetration is that of the nearest segment
+            continue
         segment = segments[s]
         half = half_thickness(node, segment)
         low, high = box(x, segment)
@@ -58,7 +60,7 @@ def look(
         guess_xi, guess_eta = first_guess(segment["triangle"])
         xi, eta, out, away, n = place(x, segment, p, guess_xi, guess_eta)
         free = np.sqrt(dot(away, away)) - half
-        if again(x, segments, touches, node["count"], s, out > 0.0 and half > 0.0, n, first, beside):
+        if again(x, segments, touches, node["count"], s, out > 0.0, n, first, beside):
             continue
         if (free <= step or start) and node["count"] < MOST:
             side = begins(x, v, dt, segment, node, p, xi, eta, free, maxpar, start, easing)
@@ -70,24 +72,24 @@ def look(
     return least
 
 
-@kernel
-def nearest(x: Array, node: Record, segments: Records, near: Index) -> Index:
-    """The one of the segments `near` a node that is nearest to it, (1,) or (0,)."""
+@uncounted
+def nearest(x: Array, node: Record, segments: Records, near: Index) -> int:
+    """The one of the segments `near` a node that is nearest to it, or -1."""
     best, least, p = -1, np.inf, at(x, node["row"])
     for s in near:
         xi, eta = first_guess(segments[s]["triangle"])
         _, _, _, away, _ = place(x, segments[s], p, xi, eta)
         if dot(away, away) < least:
             best, least = s, dot(away, away)
-    return np.array([best])[: min(1, near.size)]
+    return best
 
 
-@kernel
+@uncounted
 def again(
     x: Array, segments: Records, touches: Records, count: int, s: int, at_edge: bool, n: Vector,
     first: Index, beside: Index,
 ) -> bool:  # fmt: skip
-    """Whether segment s continues a surface that the node touches: beside it, smoothly or by the same edge."""
+    """Whether segment s continues a surface that the node touches: beside it, smoothly or nearest at its border."""
     for k in range(count):
         r = touches[k]["segment"]
         for e in range(first[r], first[r + 1]):
@@ -99,7 +101,7 @@ def again(
     return False
 
 
-@kernel
+@uncounted
 def hold(
     x: Array, node: Record, touches: Records, s: int, side: float, xi: float, eta: float, segments: Records,
     first: Index, beside: Index, maxpar: float,
@@ -118,7 +120,7 @@ def hold(
     return bool(found)
 
 
-@kernel
+@uncounted
 def begins(
     x: Array, v: Array, dt: float, segment: Record, node: Record, p: Vector, xi: float, eta: float, free: float,
     maxpar: float, start: bool, easing: bool,

@@ -4,7 +4,7 @@ Over a step it is -(f_{n-1} + f_n)/2 . dt v_{n-1/2}, each half with the contact 
 is added where the force is made (`push`), and what slips is moved from there to the energy of friction (`friction`).
 """
 
-from vmharness.explicit.compiled import kernel
+from vmharness.explicit.compiled import uncounted
 from vmharness.explicit.penalty.motion import carried, relative
 from vmharness.explicit.penalty.touch import Record, Records
 from vmharness.explicit.segment import shape
@@ -12,7 +12,7 @@ from vmharness.explicit.state import Array
 from vmharness.explicit.vector import dot, subtract
 
 
-@kernel
+@uncounted
 def half_work(
     x: Array, v: Array, dt: float, node: Record, segments: Records, touch: Record, rule: Record, account: Array
 ) -> None:  # fmt: skip
@@ -25,7 +25,7 @@ def half_work(
     account[0] -= 0.5 * dt * dot((touch["force"][0], touch["force"][1], touch["force"][2]), velocity)
 
 
-@kernel
+@uncounted
 def let_go(touch: Record, account: Array) -> None:
     """What is left in the spring that stuck is lost to friction."""
     slip = (touch["slip"][0], touch["slip"][1], touch["slip"][2])
