@@ -16,6 +16,7 @@ from vmharness.explicit.penalty.push import push
 from vmharness.explicit.penalty.touch import Record, Records
 from vmharness.explicit.penalty.work import half_work, let_go
 from vmharness.explicit.state import Array
+from vmharness.explicit.vector import inlined
 
 Index = NDArray[np.intp]
 
@@ -61,7 +62,7 @@ def cycle(
     return True
 
 
-@uncounted
+@inlined
 def keep_up(
     x: Array, node: Record, touches: Records, segments: Records, first: Index, beside: Index, maxpar: float,
     account: Array,

@@ -14,7 +14,6 @@ thicknesses, is kept by the edge itself, which is round.
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.compiled import uncounted
 from vmharness.explicit.penalty.beside import nearer
 from vmharness.explicit.penalty.place import first_guess, half_thickness, place
 from vmharness.explicit.penalty.touch import Record, Records
@@ -27,7 +26,7 @@ Index = NDArray[np.intp]
 HOPS = 4  # borders crossed within one step
 
 
-@uncounted
+@inlined
 def follow(
     x: Array, node: Record, touches: Records, k: int, segments: Records, first: Index, beside: Index, maxpar: float
 ) -> bool:  # fmt: skip

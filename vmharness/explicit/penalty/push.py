@@ -7,7 +7,6 @@ balance since sum N_i = 1; so are moments without friction, since f acts along t
 with friction by a couple (see `couple`).
 """
 
-from vmharness.explicit.compiled import uncounted
 from vmharness.explicit.penalty.couple import about_middle, turn
 from vmharness.explicit.penalty.damping import coefficient
 from vmharness.explicit.penalty.friction import rub
@@ -19,7 +18,7 @@ from vmharness.explicit.state import Array
 from vmharness.explicit.vector import Vector, add, cross, dot, inlined, scale, subtract
 
 
-@uncounted
+@inlined
 def push(
     f: Array, x: Array, v: Array, a: Array, mass: Array, dt: float, node: Record, segments: Records, touch: Record,
     rule: Record, account: Array,

@@ -10,12 +10,12 @@ that shrinks, the stiffness stays, and no energy is made. Nodes without mass are
 
 import numpy as np
 
-from vmharness.explicit.compiled import uncounted
 from vmharness.explicit.penalty.touch import Record
 from vmharness.explicit.state import Array
+from vmharness.explicit.vector import inlined
 
 
-@uncounted
+@inlined
 def stiffness(node: Record, segment: Record, mass: Array, sofscl: float, longest: float) -> float:
     """k of a node on a segment; `sofscl` is zero for SOFT 0."""
     k = min(node["penalty"], segment["penalty"])

@@ -9,10 +9,10 @@ from vmharness.explicit.penalty.motion import carried, relative
 from vmharness.explicit.penalty.touch import Record, Records
 from vmharness.explicit.segment import shape
 from vmharness.explicit.state import Array
-from vmharness.explicit.vector import dot, subtract
+from vmharness.explicit.vector import dot, inlined, subtract
 
 
-@uncounted
+@inlined
 def half_work(
     x: Array, v: Array, dt: float, node: Record, segments: Records, touch: Record, rule: Record, account: Array
 ) -> None:  # fmt: skip
