@@ -66,6 +66,8 @@ class Channel(Table, frozen=True):
     motion: Annotated[int | None, Meta(description="Number of the prescribed motion in the deck's order")] = (
         None
     )
+    rigid: Annotated[int | None, Meta(description="Number of a rigid body: of its part, or its own")] = None
+    joint: Annotated[int | None, Meta(description="Number of the joint in the deck's order")] = None
     energy: Annotated[str | None, Meta(description="kinetic, contact, external work, total, ratio, ...")] = (
         None
     )
@@ -192,6 +194,8 @@ OWNERS = (
     "contact",
     "support",
     "motion",
+    "rigid",
+    "joint",
     "energy",
 )  # of a channel
 

@@ -71,15 +71,14 @@ def condition(J: Array, w: Array, e: Triad, inverse: Array, L: Vector, given: Fl
 @kernel
 def respond(
     omega: Array, alpha: Array, dt: float, centre: Index, q: Array, principal: Array, inverse: Array,
-    L: Array, torque: Array, given: Flags, spin: Array, reaction: Array, energy: Array,
+    L: Array, torque: Array, given: Flags, spin: Array, reaction: Array, kinetic: Array,
 ) -> None:  # fmt: skip
     """omega_n (`spin`) and alpha_n under the torque at t_n, and the reaction of what is given.
 
-    `reaction` (nb, 3) = I alpha + omega x I omega - T. `energy` (2,): the kinetic energy of rotation, and the work of
-    the reactions, 1/2 (r_n + r_{n-1}) dt omega_{n-1/2}.
+    `reaction` (nb, 3) = I alpha + omega x I omega - T; `kinetic` (1,): the kinetic energy of rotation.
     """
     J, w, value = np.empty((3, 3)), np.empty(3), np.empty(3)
-    energy[0] = 0.0
+    kinetic[0] = 0.0
     for b in range(centre.size):
         c, T = centre[b], row(torque, b)
         e = triad(q[b, 0], (q[b, 1], q[b, 2], q[b, 3]))
@@ -92,12 +91,10 @@ def respond(
         condition(J, w, e, inverse[b], drive, given[b], alpha[c])
         needed = subtract(product(e, principal[b], (w[0], w[1], w[2])), drive)
         for i in range(3):
-            held = needed[i] if given[b, i] else 0.0
-            energy[1] += 0.5 * (reaction[b, i] + held) * dt * omega[c, i]
-            reaction[b, i] = held
+            reaction[b, i] = needed[i] if given[b, i] else 0.0
             alpha[c, i] = w[i]
         put(spin, b, now)
-        energy[0] += 0.5 * dot(now, momentum)
+        kinetic[0] += 0.5 * dot(now, momentum)
 
 
 @kernel
