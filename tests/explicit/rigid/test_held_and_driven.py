@@ -31,7 +31,7 @@ def test_codes_of_cmo_hold_the_centre_and_the_rotations(space, bodies, held_bloc
 def test_a_body_held_to_turn_about_z_has_moments_that_keep_its_tilted_axis(space, bodies):
     # Products of inertia: omega = w e_z, so that r = omega x I omega: (-I_yz, I_xz, 0) w^2.
     tilted = """*SECTION_SOLID\n3,1\n*MAT_RIGID\n3,1.0,100.0,0.3\n1,7,4\n\n*PART_INERTIA\nbody\n3,3,3
-0.0,0.0,0.0,2.0\n2.0,0.0,0.3,3.0,0.4,4.0\n0.0,0.0,0.0,5.0,5.0,2.0\n"""
+0.0,0.0,0.0,2.0\n2.0,0.0,0.3,3.0,0.4,4.0\n0.0,0.0,0.0,5.0,5.0,2.0\n*NODE\n1,0,0,0,7\n"""
     model = space(tilted, end=math.pi, step=1e-3)
     moment = [probe.rigid(model, 3, f"{axis}-moment") for axis in "xyz"]
     angle, spin = (probe.rigid(model, 3, f"z-{what}") for what in ("rotation", "angular-velocity"))
@@ -39,9 +39,9 @@ def test_a_body_held_to_turn_about_z_has_moments_that_keep_its_tilted_axis(space
         t = angle()
         xz, yz = 0.3 * math.cos(t) - 0.4 * math.sin(t), 0.3 * math.sin(t) + 0.4 * math.cos(t)
         np.testing.assert_allclose([m() for m in moment], [-4.0 * yz, 4.0 * xz, 0.0], atol=1e-11)
-        assert spin() == pytest.approx(2.0, rel=1e-14)
-        assert t == pytest.approx(2.0 * s.t, rel=1e-13)
-    assert model.kinetic() == pytest.approx(0.5 * 4.0 * 4.0, rel=1e-13)
+        assert spin() == pytest.approx(2.0, rel=1e-11)
+        assert t == pytest.approx(2.0 * s.t, rel=1e-11)
+    assert model.kinetic() == pytest.approx(0.5 * 4.0 * 4.0, rel=1e-11)
 
 
 @pytest.mark.parametrize("vad", [0, 1, 2])
@@ -52,7 +52,11 @@ def test_a_driven_rotation_follows_its_curve_and_its_work_is_kinetic_energy(spac
     moment = probe.motion(model, 1, "x-moment")
     exact = {0: lambda t: 0.25 * t**2, 1: lambda t: 0.5 * t**3 / 6, 2: lambda t: 0.5 * t}[vad]
     torque = {0: lambda t: 0.5, 1: lambda t: 0.5 * t, 2: lambda t: 0.0}[vad]
-    (work,) = [a for a in energy.accounts(model.constraints, "external work") if a is bodies(model).energy["external work"]]
+    (work,) = [
+        a
+        for a in energy.accounts(model.constraints, "external work")
+        if a is bodies(model).energy["external work"]
+    ]
     begun = None
     for s in steps(model):
         begun = model.kinetic() if begun is None else begun
@@ -91,10 +95,16 @@ def test_damping_stops_a_spin_exponentially(space, bodies, free):
     [
         ("*BOUNDARY_PRESCRIBED_MOTION_RIGID\n7,1,0,1\n", r"DOF = 1: CMO of \*MAT_RIGID holds body 7"),
         ("*BOUNDARY_PRESCRIBED_MOTION_RIGID\n9,1,0,1\n", "PID = 9: no rigid body 9; there are: 7"),
-        ("*BOUNDARY_PRESCRIBED_MOTION_RIGID\n7,2,0,1\n7,2,2,2\n" + RAMP, "another prescribed motion moves body 7"),
+        (
+            "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n7,2,0,1\n7,2,2,2\n" + RAMP,
+            "another prescribed motion moves body 7",
+        ),
         ("*BOUNDARY_PRESCRIBED_MOTION_RIGID\n7,6,0,1,,,0.5\n", "a driven rotation begins at 0 and lasts"),
         ("*BOUNDARY_SPC_NODE\n3,0,1\n", r"PID = 7: supports rule its node 3; a rigid body is held by CMO"),
-        ("*BOUNDARY_PRESCRIBED_MOTION_NODE\n3,2,0,1\n", r"prescribed motion 1 rule its node 3; .* moved by \*BOUNDARY_PRESCRIBED_MOTION_RIGID"),
+        (
+            "*BOUNDARY_PRESCRIBED_MOTION_NODE\n3,2,0,1\n",
+            r"prescribed motion 1 rule its node 3; .* moved by \*BOUNDARY_PRESCRIBED_MOTION_RIGID",
+        ),
     ],
 )
 def test_what_cannot_be_held_or_driven_is_refused(space, held_block, text, message):

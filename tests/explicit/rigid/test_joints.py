@@ -103,7 +103,9 @@ def test_order_of_the_joint_is_two(space):
 
 
 def test_two_bodies_that_are_joined_in_space_keep_momentum_and_angular_momentum(space, bodies):
-    other = GROUND.replace("1,7,7", "").replace("*PART_INERTIA\nground\n4,4,4\n0.0,0.0,0.0", "*PART_INERTIA\nground\n4,4,4\n-1.0,0.0,0.0")
+    other = GROUND.replace("1,7,7", "").replace(
+        "*PART_INERTIA\nground\n4,4,4\n0.0,0.0,0.0", "*PART_INERTIA\nground\n4,4,4\n-1.0,0.0,0.0"
+    )
     spin = other.rstrip("\n").rpartition("\n")[0] + "\n1.0,0.0,0.0,1.0,0.0,1.0\n0.0,1.0,0.0,0.0,0.0,0.0\n"
     model = space(rod() + spin + SPHERICAL, end=4.0, step=2e-3)
     b, s, c = bodies(model), model.state, [model.centre(3), model.centre(4)]

@@ -48,7 +48,9 @@ def test_a_nodal_rigid_body_moves_as_the_part_does(space, block):
 
 
 def test_given_inertia_that_is_the_sum_moves_as_the_sum_does(space, block):
-    given = block.replace("*PART\nblock\n7,7,7\n", "*PART_INERTIA\nblock\n7,7,7\n1.0,0.5,0.25,8.0\n2.5,0.0,0.0,8.5,0.0,10.0\n\n")
+    given = block.replace(
+        "*PART\nblock\n7,7,7\n", "*PART_INERTIA\nblock\n7,7,7\n1.0,0.5,0.25,8.0\n2.5,0.0,0.0,8.5,0.0,10.0\n\n"
+    )
     turned = block.replace(
         "*PART\nblock\n7,7,7\n",
         "*PART_INERTIA\nblock\n7,7,7\n1.0,0.5,0.25,8.0,1\n8.5,0.0,0.0,10.0,0.0,2.5\n\n0.0,1.0,0.0,0.0,0.0,1.0\n",
@@ -195,6 +197,95 @@ def test_a_part_load_takes_the_whole_body_or_none(space, block):
     model = space(block + loads.format(7))
     next(steps(model))
     assert model.state.a[model.centre(7), 2] == -9.81
-    deformable = nodes_of(block) + NODAL + "*PART\nbox\n6,6,6\n*SECTION_SOLID\n6,1\n*MAT_ELASTIC\n6,1.0,1.0\n*ELEMENT_SOLID\n1,6\n1,2,3,4,5,6,7,8\n"
-    with pytest.raises(DeckError, match=r"PID = 7: \*LOAD_BODY_Z acts on parts that have nodes of this rigid body"):
+    deformable = (
+        nodes_of(block)
+        + NODAL
+        + "*PART\nbox\n6,6,6\n*SECTION_SOLID\n6,1\n*MAT_ELASTIC\n6,1.0,1.0\n*ELEMENT_SOLID\n1,6\n1,2,3,4,5,6,7,8\n"
+    )
+    with pytest.raises(
+        DeckError, match=r"PID = 7: \*LOAD_BODY_Z acts on parts that have nodes of this rigid body"
+    ):
         space(deformable + loads.format(6))
+
+
+CANTILEVER = """*KEYWORD
+*CONTROL_TERMINATION
+0.02
+*PART
+strip
+1,1,1
+*SECTION_SHELL
+1,2,0.833333,3
+0.01
+*MAT_ELASTIC
+1,1000.0,1e9,0.3
+*DEFINE_CURVE
+1
+0.0,1.0
+1.0,1.0
+*LOAD_NODE_SET
+2,3,1,0.5
+*SET_NODE_LIST
+2
+7,14
+"""
+
+
+def strip(root):
+    """A strip of six shells, of length 0.6 and width 0.1, with its root at x = 0."""
+    lines = ["*NODE"]
+    for j in range(2):
+        for i in range(7):
+            nid, codes = 1 + i + 7 * j, ",7,7" if i == 0 and root == "supports" else ""
+            lines.append(f"{nid},{0.1 * i},{0.1 * j},0.0{codes}")
+    lines.append("*ELEMENT_SHELL")
+    lines += [f"{i},1,{i},{i + 1},{i + 8},{i + 7}" for i in range(1, 7)]
+    if root == "block":
+        lines += ["*NODE", "21,-0.1,0.0,0.0", "22,-0.1,0.1,0.0"]
+        lines += [
+            "*PART",
+            "block",
+            "2,1,2",
+            "*MAT_RIGID",
+            "2,1e3,1e9,0.3",
+            "1,7,7",
+            "",
+            "*ELEMENT_SHELL",
+            "9,2,21,1,8,22",
+        ]
+    return CANTILEVER + "\n".join(lines) + "\n"
+
+
+def test_a_cantilever_on_a_rigid_block_is_clamped(deck):
+    found = []
+    for root in ("supports", "block"):
+        model = build(deck(strip(root)))
+        tip = probe.node(model, 7, "z-displacement")
+        found.append([(s.t, tip()) for s in steps(model)])
+        force = probe.support(model, "z-force") if root == "supports" else probe.rigid(model, 2, "z-force")
+        found[-1].append((force(), 0.0))
+    np.testing.assert_allclose(found[1], found[0], rtol=1e-9, atol=1e-15)
+    assert max(abs(z) for _, z in found[0]) > 1e-4
+
+
+def test_a_free_strip_with_a_rigid_end_keeps_its_momentum(deck):
+    text = (
+        strip("block")
+        .replace("1,7,7\n\n", "\n\n")
+        .replace("*LOAD_NODE_SET\n2,3,1,0.5\n", "*INITIAL_VELOCITY_NODE\n7,,,20.0\n14,,,15.0\n")
+    )
+    model = build(deck(text))
+    model.step_factor = 0.1
+    s, b = model.state, next(c for c in model.constraints if c.name == "rigid bodies")
+    found, energies = [], []
+    internal = [account for force in model.forces for account in force.energy.values()]
+    for _ in steps(model):
+        p = s.mass[:, None] * s.v
+        own = s.inertia[:, None] * s.omega
+        if s.dt:
+            found.append([*p.sum(axis=0), *(np.cross(s.x, p) + own).sum(axis=0) + b.L.sum(axis=0)])
+        energies.append(model.kinetic() + sum(account[0] for account in internal))
+    found = np.array(found)
+    assert np.abs(found - found[0]).max() < 1e-12 * np.abs(found[0]).max() * len(found) ** 0.5
+    assert np.abs(np.array(energies) / energies[0] - 1.0).max() < 5e-3
+    assert np.abs(b.turned).max() > 1e-3

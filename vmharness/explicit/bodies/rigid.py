@@ -16,6 +16,7 @@ from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.damping.mass import MassDamping
 from vmharness.explicit.loads.body import BodyLoad, Centrifugal
 from vmharness.explicit.model import Model
+from vmharness.explicit.rigid.bearing import bear
 from vmharness.explicit.rigid.bodies import Bodies, Drive, Gather
 from vmharness.explicit.rigid.inertia import Inertia, of_card, of_points, principal, quaternion
 from vmharness.explicit.rigid.joints import definitions, joints
@@ -74,6 +75,7 @@ def build(deck: Deck, model: Model) -> None:
     bodies.joints = joints(deck, model, bodies.nodes, body, movable)
     if bodies.joints is not None:
         _check_joints(deck, bodies, motions)
+    bear(model, bodies)
     model.constraints.insert(0, Gather(bodies, inverse_mass))
     model.constraints.append(bodies)
     model.kinetic.others.append(bodies.kinetic)
