@@ -156,7 +156,7 @@ def test_nothing_that_sets_a_step_is_an_error(deck):
     from vmharness.explicit.model import build
 
     model = build(deck("*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*NODE\n1,0,0,0\n*ELEMENT_MASS\n1,1,1.0\n"))
-    with pytest.raises(SolverError, match="nothing that sets it"):
+    with pytest.raises(SolverError, match=r"nothing sets it; .*LCTM can"):
         list(steps(model))
 
 

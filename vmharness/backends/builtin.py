@@ -114,6 +114,10 @@ def probe_of(model: Model, channel: Channel) -> Probe:
         return probe.support(model, component, None if channel.support == "all" else channel.support)
     if channel.motion is not None:
         return probe.motion(model, channel.motion, component)
+    if channel.rigid is not None:
+        return probe.rigid(model, channel.rigid, component)
+    if channel.joint is not None:
+        return probe.joint(model, channel.joint, component)
     kind = next(kind for kind in ("shell", "solid", "beam", "discrete") if getattr(channel, kind) is not None)
     return probe.element(model, kind, getattr(channel, kind), component, channel.point)
 

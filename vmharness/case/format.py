@@ -77,6 +77,8 @@ class Channel(Table, frozen=True):
     motion: Annotated[int | None, Meta(description="Number of the prescribed motion in the deck's order")] = (
         None
     )
+    rigid: Annotated[int | None, Meta(description="Number of a rigid body: of its part, or its own")] = None
+    joint: Annotated[int | None, Meta(description="Number of the joint in the deck's order")] = None
     energy: Annotated[str | None, Meta(description="kinetic, contact, external work, total, ratio, ...")] = (
         None
     )
@@ -258,6 +260,8 @@ OWNERS = (
     "centre",
     "support",
     "motion",
+    "rigid",
+    "joint",
     "energy",
 )  # of a channel
 

@@ -58,6 +58,6 @@ def check_step(model: Model, dt: float, shortest: float) -> None:
     """Raise SolverError unless the run can go on with the step `dt`."""
     s = model.state
     if math.isinf(dt):
-        raise SolverError(s, "no element limits the time step: there is nothing that sets it")
+        raise SolverError(s, "no element limits the time step: nothing sets it; *CONTROL_TIMESTEP LCTM can")
     if not dt > shortest or dt * MOST_CYCLES < model.end_time - s.t:
         raise SolverError(s, f"the time step has vanished: {dt:.3g} after {s.dt:.3g}", model.controlling())

@@ -12,6 +12,8 @@ from vmharness.explicit.constraints.spc import Supports
 from vmharness.explicit.force import Elements, Force, Scalable
 from vmharness.explicit.model import Model
 from vmharness.explicit.penalty.contact import Contact
+from vmharness.explicit.rigid.bodies import Bodies
+from vmharness.explicit.rigid.probe import quantities
 from vmharness.explicit.state import Array
 from vmharness.explicit.walls.planar.wall import PlanarWall
 
@@ -26,19 +28,41 @@ class ProbeError(ValueError):
 
 def node(model: Model, nid: int, component: str) -> Probe:
     """A component of the motion of a node at t_n: `z-displacement`, `x-velocity`, `y-acceleration`, `z-coordinate`."""
-    rows = np.flatnonzero(model.ids == nid)
+    rows = np.flatnonzero((model.ids == nid) & (model.ids > 0))
     if not rows.size:
         raise ProbeError(f"no node {nid} in the deck")
-    row, (axis, quantity) = int(rows[0]), _split(component)
+    axis, quantity = _split(component)
+    return _choose(_motion(model, int(rows[0]), axis), quantity, "of a node")
+
+
+def rigid(model: Model, number: int, component: str) -> Probe:
+    """Of a rigid body: motion of its centre as of a node, `z-angular-velocity`, `z-rotation`, ... of the body."""
+    axis, quantity = _split(component)
+    for bodies in model.constraints:
+        if isinstance(bodies, Bodies) and number in bodies.numbers:
+            turning = quantities(bodies, number, axis)
+            return _choose(_motion(model, model.centre(number), axis) | turning, quantity, "of a rigid body")
+    raise ProbeError(f"no rigid body {number} in the deck")
+
+
+def joint(model: Model, number: int, component: str) -> Probe:
+    """A component of what a joint exerts on the body of its first node: `z-force`, `x-moment` about that node."""
+    for bodies in model.constraints:
+        if isinstance(bodies, Bodies) and bodies.joints and 1 <= number <= len(bodies.joints.total):
+            return _resultant(bodies.joints.total[number - 1], component, "of a joint")
+    raise ProbeError(f"no joint {number} in the deck")
+
+
+def _motion(model: Model, row: int, axis: int) -> dict[str, Probe]:
+    """Of the point of a row, along an axis."""
     s, place = model.state, (row, axis)
     x0 = float(model.x0[place])
-    probes: dict[str, Probe] = {
+    return {
         "displacement": lambda: s.x[place] - x0,
         "coordinate": lambda: s.x[place],
         "velocity": lambda: s.v[place] + 0.5 * s.dt * s.a[place],  # v_{n-1/2} -> v_n
         "acceleration": lambda: s.a[place],
     }
-    return _choose(probes, quantity, "of a node")
 
 
 def contact(model: Model, number: int, component: str, nid: int | None = None) -> Probe:

@@ -10,7 +10,7 @@ from vmharness.explicit.rigid.bodies import Bodies
 
 HEAD = """*KEYWORD
 *CONTROL_TERMINATION
-{end}
+{end},
 *CONTROL_TIMESTEP
 ,,,,,9
 *DEFINE_CURVE

@@ -16,8 +16,10 @@ from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.damping.mass import MassDamping
 from vmharness.explicit.loads.body import BodyLoad, Centrifugal
 from vmharness.explicit.model import Model
+from vmharness.explicit.rigid.bearing import bear
 from vmharness.explicit.rigid.bodies import Bodies, Drive, Gather
 from vmharness.explicit.rigid.inertia import Inertia, of_card, of_points, principal, quaternion
+from vmharness.explicit.rigid.joints import definitions, joints
 from vmharness.explicit.rigid.members import Member, members
 from vmharness.explicit.rigid.motion import rigid_motion
 from vmharness.explicit.rigid.numbers import body_number
@@ -66,9 +68,14 @@ def build(deck: Deck, model: Model) -> None:
         damping=_damping(model),
         fixed=_ruled(model, found),
     )  # fmt: skip
-    masses = np.array([one.mass for one in inertia])
     inverse_mass = np.zeros(model.ids.size)
-    inverse_mass[centre] = 1.0 / masses
+    inverse_mass[centre] = 1.0 / np.array([one.mass for one in inertia])
+    movable = np.where(bodies.held[:, :3], 0.0, inverse_mass[centre][:, None])
+    body = np.repeat(np.arange(len(found)), sizes)
+    bodies.joints = joints(deck, model, bodies.nodes, body, movable)
+    if bodies.joints is not None:
+        _check_joints(deck, bodies, motions)
+    bear(model, bodies)
     model.constraints.insert(0, Gather(bodies, inverse_mass))
     model.constraints.append(bodies)
     model.kinetic.others.append(bodies.kinetic)
@@ -156,6 +163,15 @@ def _set_nodes(model: Model, centre: np.intp, nodes: Index) -> None:
     s = model.state
     s.v[nodes] = s.v[centre] + np.cross(s.omega[centre], s.x[nodes] - s.x[centre])
     s.omega[nodes] = s.omega[centre]
+
+
+def _check_joints(deck: Deck, bodies: Bodies, motions: list[PrescribedMotion]) -> None:
+    """What joints are not made for."""
+    first = definitions(deck)[0]
+    if any(motion.dof < 3 for motion in motions):
+        raise first.error(None, "not supported beside a prescribed motion of the centre of a rigid body")
+    if bodies.damping is not None:
+        raise first.error(None, "not supported with mass damping")
 
 
 def _ruled(model: Model, found: list[Member]) -> NDArray[np.bool_]:

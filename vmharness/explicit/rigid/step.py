@@ -58,46 +58,45 @@ def gather(
 
 
 @kernel
-def condition(J: Array, w: Array, e: Triad, inverse: Array, L: Vector, given: Flags, value: Array) -> None:
-    """w = R I^-1 R^T L, with the components `given` (3,) at their `value` (3,)."""
+def condition(J: Array, w: Array, e: Triad, inverse: Array, L: Vector, given: Flags, value: Array) -> Vector:
+    """R I^-1 R^T L, with the components `given` (3,) at their `value` (3,); `J` (3, 3) and `w` (3,) serve for it."""
+    if not (given[0] or given[1] or given[2]):
+        return product(e, inverse, L)
     fill(J, e, inverse)
     for i in range(3):
         w[i] = J[i, 0] * L[0] + J[i, 1] * L[1] + J[i, 2] * L[2]
     for i in range(3):
         if given[i]:
             give(J, w, i, value[i])
+    return w[0], w[1], w[2]
 
 
 @kernel
 def respond(
     omega: Array, alpha: Array, dt: float, centre: Index, q: Array, principal: Array, inverse: Array,
-    L: Array, torque: Array, given: Flags, spin: Array, reaction: Array, energy: Array,
+    L: Array, torque: Array, given: Flags, spin: Array, reaction: Array, kinetic: Array,
 ) -> None:  # fmt: skip
     """omega_n (`spin`) and alpha_n under the torque at t_n, and the reaction of what is given.
 
-    `reaction` (nb, 3) = I alpha + omega x I omega - T. `energy` (2,): the kinetic energy of rotation, and the work of
-    the reactions, 1/2 (r_n + r_{n-1}) dt omega_{n-1/2}.
+    `reaction` (nb, 3) = I alpha + omega x I omega - T; `kinetic` (1,): the kinetic energy of rotation.
     """
     J, w, value = np.empty((3, 3)), np.empty(3), np.empty(3)
-    energy[0] = 0.0
+    kinetic[0] = 0.0
     for b in range(centre.size):
         c, T = centre[b], row(torque, b)
         e = triad(q[b, 0], (q[b, 1], q[b, 2], q[b, 3]))
         for i in range(3):
             value[i] = omega[c, i] + 0.5 * dt * alpha[c, i]
-        condition(J, w, e, inverse[b], add(row(L, b), scale(0.5 * dt, T)), given[b], value)
-        now = (w[0], w[1], w[2])
+        now = condition(J, w, e, inverse[b], add(row(L, b), scale(0.5 * dt, T)), given[b], value)
         momentum = product(e, principal[b], now)
         drive = subtract(T, cross(now, momentum))
-        condition(J, w, e, inverse[b], drive, given[b], alpha[c])
-        needed = subtract(product(e, principal[b], (w[0], w[1], w[2])), drive)
+        rate = condition(J, w, e, inverse[b], drive, given[b], alpha[c])
+        needed = subtract(product(e, principal[b], rate), drive)
         for i in range(3):
-            held = needed[i] if given[b, i] else 0.0
-            energy[1] += 0.5 * (reaction[b, i] + held) * dt * omega[c, i]
-            reaction[b, i] = held
-            alpha[c, i] = w[i]
+            reaction[b, i] = needed[i] if given[b, i] else 0.0
+        put(alpha, c, rate)
         put(spin, b, now)
-        energy[0] += 0.5 * dot(now, momentum)
+        kinetic[0] += 0.5 * dot(now, momentum)
 
 
 @kernel
@@ -126,8 +125,7 @@ def rotate(omega: Array, dt: float, centre: Index, q: Array, inverse: Array, L: 
         for _ in range(ITERATIONS):
             before = row(omega, c)
             e = frame(q[b], scale(0.5 * dt, before))
-            condition(J, w, e, inverse[b], row(L, b), given[b], omega[c])
-            now = (w[0], w[1], w[2])
+            now = condition(J, w, e, inverse[b], row(L, b), given[b], omega[c])
             put(omega, c, now)
             change = subtract(now, before)
             if dot(change, change) <= ROUND_OFF**2 * dot(now, now):
@@ -145,8 +143,10 @@ def carry(
     for b in range(centre.size):
         c = centre[b]
         w = row(omega, c)
-        if given[b].any():  # momentum about given axes is what their motion makes it
-            put(L, b, product(frame(q[b], scale(0.5 * dt, w)), principal[b], w))
+        momentum = product(frame(q[b], scale(0.5 * dt, w)), principal[b], w)
+        for i in range(3):
+            if given[b, i]:  # momentum about a given axis is what the motion makes it
+                L[b, i] = momentum[i]
         put(turned, b, add(row(turned, b), scale(dt, w)))
         turn(q[b], scale(dt, w))
         e = triad(q[b, 0], (q[b, 1], q[b, 2], q[b, 3]))

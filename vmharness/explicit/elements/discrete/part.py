@@ -51,8 +51,10 @@ class Discrete:
         self.nodes, self._size, self._limits = nodes, size, limits
         self._direction, self._guide = orientation
         self._broken = np.zeros(eid.size, np.bool_)
-        self._about = dro == ABOUT
-        self._constants, self._demand = constants, demand
+        self.about = dro == ABOUT
+        self.demand = demand
+        self.bearing: Array | None = None  # (n,) mass or inertia, where rigid bodies have the nodes'
+        self._constants = constants
         self._history = np.zeros(law.HISTORY["spring"] * eid.size)
         self._limit = np.inf
         self._step = _compiled(step.step, law.spring)
@@ -68,12 +70,13 @@ class Discrete:
     def add(self, state: State) -> None:
         """Add forces or moments at t_n, and the work of the step that led there."""
         if state.cycle == 0:
-            mass = state.inertia if self._about else state.mass
-            self._limit = stable_step(self.nodes, self._demand[0], self._demand[1], mass)
+            mass = state.inertia if self.about else state.mass
+            mass = mass if self.bearing is None else self.bearing
+            self._limit = stable_step(self.nodes, self.demand[0], self.demand[1], mass)
         self._step(
             state.x,
             state.v,
-            state.omega if self._about else state.v,
+            state.omega if self.about else state.v,
             state.dt,
             self.nodes,
             self._direction,
@@ -85,7 +88,7 @@ class Discrete:
             self.elongation,
             self.force,
             self._history,
-            state.moment if self._about else state.f,
+            state.moment if self.about else state.f,
             self._energy,
         )
 
@@ -95,7 +98,7 @@ class Discrete:
 
     def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
         """`force` and `elongation` of an element (its place in `eid`); of a torsional one `moment` and `rotation`."""
-        names = ("moment", "rotation") if self._about else ("force", "elongation")
+        names = ("moment", "rotation") if self.about else ("force", "elongation")
         values = dict(zip(names, (self.force, self.elongation), strict=True))
         if component not in values:
             raise ValueError(f"no {component!r} of this discrete element; there are: {', '.join(names)}")
