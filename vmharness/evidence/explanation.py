@@ -9,7 +9,7 @@ Both brackets stop at h/4; what lies beyond follows from h/2, if the differences
 d1 + d2 + d2/(r - 1) for the differences d1, d2 of two halvings and r = d1/d2. Where they do not, d2 is left open.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 FALLS = 1.5  # d1/d2 of a sequence that converges: of an order above 0.58
 SLOWEST = 20.0  # d1/d2 above this is round-off in d2, or chance
@@ -39,13 +39,39 @@ class Explained:
 
     @property
     def difference(self) -> float:
-        """value - target."""
-        return self.value - self.target
+        """value - target, which the parts add up to."""
+        return sum(part.value for part in self.parts)
 
     @property
     def unexplained(self) -> Part:
         """What no run accounts for."""
         return self.parts[-1]
+
+
+@dataclass(frozen=True)
+class Column:
+    """A published column: the reading that gives most of its digits, and its differences from theory in parts."""
+
+    name: str
+    kind: str  # target, or computed
+    reading: str  # in words; empty for a target
+    also: list[float]  # other intervals that give as many digits
+    same: list[str]  # keys of the figures that it gives
+    others: dict[
+        str, str
+    ]  # by key: a reading at the same interval that gives a figure which this one does not
+    results: list[Explained]
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """All that `vm explain` finds out about a case."""
+
+    case: str
+    solver: str
+    results: list[Explained]
+    columns: list[Column] = field(default_factory=list)  # published
+    notes: list[str] = field(default_factory=list)  # what was not separated, and why
 
 
 def halved(d1: float, d2: float, cause: str) -> Part:
