@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from vmharness.case import Case, CaseError
 from vmharness.deck import DeckError
-from vmharness.evidence.explanation import Explained, Explanation, Part, explained, halved
+from vmharness.evidence.explanation import Explained, Explanation, Part, explained, halved, sampled
 from vmharness.evidence.faults import RUN_LENGTH
 from vmharness.evidence.richardson import Kind, Richardson, richardson
 from vmharness.study import converge
@@ -19,14 +19,14 @@ SOUND, HALF, QUARTER, EXACT = (
     "a quarter of the step",
     "every number of the deck exact",
 )
-TIME_STEP, SAMPLING, NUMBERS, MESH = "time step", "sampling", "digits of the deck", "mesh"
+TIME_STEP, NUMBERS, MESH = "time step", "digits of the deck", "mesh"
 
 
 def variants(case: Case) -> dict[str, Variant]:
     """The runs by name: as it is, in finer steps, with exact numbers, and the levels of [converge] for the mesh."""
-    found = {SOUND: Variant(case, SOUND, strides=(1,))}
+    found = {SOUND: Variant(case, SOUND)}
     try:
-        found[HALF] = Variant(with_step(case, 0.5), HALF, strides=(1, 2))
+        found[HALF] = Variant(with_step(case, 0.5), HALF, strides=(2,))
         found[QUARTER] = Variant(with_step(case, 0.25), QUARTER, strides=(1, 2, 4))
     except DeckError:  # the step follows a curve
         found.pop(HALF, None)
@@ -68,15 +68,15 @@ def _explained(case: Case, key: str, outcomes: Mapping[str, Measured]) -> Explai
 
 def _steps(key: str, value: float, outcomes: Mapping[str, Measured]) -> list[Part]:
     """Time step, by finer steps read at the instants of the run; sampling, by one motion read more and more finely."""
-    half, quarter = (outcomes[name].thinned if name in outcomes else {} for name in (HALF, QUARTER))
-    half_coarse = half.get("2", {}).get(key)
-    coarse, middle, fine = (quarter.get(stride, {}).get(key) for stride in ("4", "2", "1"))
-    if half_coarse is None or coarse is None or middle is None or fine is None:
+    if HALF not in outcomes or outcomes[HALF].failure or outcomes[QUARTER].failure:
         return []
-    return [
-        halved(value - half_coarse, half_coarse - coarse, TIME_STEP),
-        halved(coarse - middle, middle - fine, SAMPLING),
-    ]
+    half = outcomes[HALF].thinned[2][key][0]
+    quarter = [outcomes[QUARTER].thinned[stride][key] for stride in (1, 2, 4)]
+    known = [[value for value in phases if value is not None] for phases in quarter]
+    if half is None or [len(phases) for phases in known] != [1, 2, 4]:
+        return []
+    coarse = known[-1][0]
+    return [halved(value - half, half - coarse, TIME_STEP), sampled(coarse, known)]
 
 
 def _numbers(key: str, value: float, outcomes: Mapping[str, Measured]) -> list[Part]:
@@ -115,4 +115,4 @@ def _with_exact_numbers(case: Case) -> Case:
     """The case with every parameter of its deck that follows from the data, in all its digits."""
     names = [name for name, formula in case.file.deck.parameters.items() if formula != RUN_LENGTH]
     exact = {name: case.evaluate(f"parameter {name}") for name in names}
-    return replace(case, planted={**case.deck_parameters(), **exact})
+    return replace(case, planted={**exact, **case.deck_parameters()})

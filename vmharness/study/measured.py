@@ -37,7 +37,7 @@ class Measured:
     cycles: int = 0
     seconds: float = 0.0
     history_sha256: str = ""  # equal where every channel is the same to the last bit
-    thinned: dict[str, dict[str, float | None]] = field(default_factory=dict)  # by stride: values by key
+    thinned: dict[int, dict[str, list[float | None]]] = field(default_factory=dict)  # by stride: see phases()
     cached: bool = False  # found on disk, and not run
 
     @property
@@ -60,7 +60,7 @@ class Measured:
 
 def measured(run: "CaseRun", strides: Sequence[int] = ()) -> Measured:
     """What is kept of a run, with its results as read from every n-th sample for each n of `strides`."""
-    from vmharness.evidence.thinning import read_all, thinned
+    from vmharness.evidence.thinning import phases
 
     solution = run.solution
     fine = solution.history if solution.history is not None and not solution.failure else None
@@ -71,7 +71,7 @@ def measured(run: "CaseRun", strides: Sequence[int] = ()) -> Measured:
         cycles=solution.cycles,
         seconds=run.seconds,
         history_sha256=_sha256(solution.history) if solution.history else "",
-        thinned={str(n): read_all(run.case, thinned(fine, n)) for n in strides} if fine else {},
+        thinned={n: phases(run.case, fine, n) for n in strides} if fine else {},
     )
 
 

@@ -5,11 +5,11 @@ from decimal import Decimal
 from vmharness.case import Case
 from vmharness.case.format import Published
 from vmharness.evidence import scan
-from vmharness.evidence.explanation import Column, Explained, Part, explained
+from vmharness.evidence.explanation import SAMPLING, Column, Explained, Part, explained
 from vmharness.formula import Unit
 from vmharness.history import History
 
-READING, SOLVER, ROUNDING = "sampling", "this solver", "rounding of the digits"
+SOLVER, ROUNDING = "this solver", "rounding of the digits"
 
 
 def columns(case: Case, history: History) -> list[Column]:
@@ -39,7 +39,7 @@ def _computed(case: Case, history: History, column: Published) -> Column:
         if key not in used.values or key not in plain.values:
             continue
         value, read = plain.values[key], used.values[key]
-        parts = [Part(SOLVER, value - _theory(case, key)), Part(READING, read - value)]
+        parts = [Part(SOLVER, value - _theory(case, key)), Part(SAMPLING, read - value)]
         results.append(_explained(case, key, text, read, parts))
     return Column(
         name=column.name,
