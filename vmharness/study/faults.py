@@ -43,12 +43,8 @@ class Planted:
 def planted(case: Case, sound: Measured) -> list[Planted]:
     """Every fault to plant in a case whose `sound` run is known; raises StudyError unless that passes."""
     if not sound.passed:
-        why = (
-            sound.failure or f"{sound.worst[0]} is out of tolerance"
-            if sound.worst
-            else "nothing was measured"
-        )
-        raise StudyError(f"{case.id}: does not pass without any fault: {why}")
+        key = sound.worst[0] if sound.worst else "nothing"
+        raise StudyError(f"{case.id}: does not pass without any fault: {sound.failure or key}")
     return [*parameter_faults(case, LONGEST * sound.cycles), *support_faults(case), *solver_faults(case)]
 
 

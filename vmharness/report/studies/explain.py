@@ -12,7 +12,7 @@ from vmharness.report.section import Figure, Section, Table
 
 HOW = (
     "Value less target, in percent of the tolerance, cause by cause: time step and sampling from runs with half and a "
-    "quarter of the step, read at the instants of this one and more finely; the digits of the deck from a run with all "
+    "quarter of the step, read at the instants of this one and more finely; the numbers of the deck from a run with all "
     "those of the data; a mesh from what its refinement converges to. What is left is unexplained; ± is what the "
     "causes leave open."
 )
