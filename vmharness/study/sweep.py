@@ -47,7 +47,7 @@ def swept(case: Case, found: Sequence[Point], how: str, gather: Gather, solver: 
         how=how,
         ranges=dict(plan.ranges),
         units={name: case.file.given[name].unit for name in plan.ranges},
-        within=[f"{each.low:g} <= {each.formula} <= {each.high:g}: {each.because}" for each in plan.within],
+        within=[f"{each.low:g} ≤ {each.formula} ≤ {each.high:g}: {each.because}" for each in plan.within],
         data={name: [point[name] for point in found] for name in plan.ranges},
         shares={key: [_share(outcome, key) for outcome in outcomes] for key in labels},
         results=[_worst(key, label, found, outcomes) for key, label in labels.items()],
