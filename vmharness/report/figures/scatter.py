@@ -67,8 +67,9 @@ def _ticks(axes: "Axes", found: Swept, name: str, named: bool) -> None:
     middle = math.sqrt(low * high) if is_logarithmic((low, high)) else 0.5 * (low + high)
     axes.xaxis.set_major_locator(FixedLocator([low, middle, high]))
     axes.xaxis.set_major_formatter(FixedFormatter([number.short(rounded(x, 2)) for x in (low, middle, high)]))
-    for label, side in zip(axes.get_xticklabels(), ("left", "center", "right"), strict=True):
-        label.set_horizontalalignment(side)
+    first, *_, last = axes.get_xticklabels()
+    first.set_horizontalalignment("left")
+    last.set_horizontalalignment("right")
     axes.xaxis.set_minor_locator(NullLocator())
     axes.yaxis.set_major_locator(LogLocator(10.0, numticks=9))
     axes.yaxis.set_minor_locator(NullLocator())

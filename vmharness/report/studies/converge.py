@@ -77,7 +77,7 @@ def _text(found: Convergence) -> list[str]:
         f"{plan(found)} Promised orders: {found.because}.",
         "The order is that of the three finest levels, and its uncertainty the largest distance of the order of "
         "another three in a row. Extrapolated is Richardson's value for a size of zero; GCI is Roache's grid "
-        f"convergence index, with a safety factor of {SAFETY:g}: theory should lie within it of the extrapolated value.",
+        f"convergence index, with a safety factor of {SAFETY:g}: theory should lie so near what is extrapolated.",
     ]
 
 
