@@ -4,7 +4,7 @@ from pathlib import Path
 import pytest
 
 from vmharness.case import read
-from vmharness.evidence.tolerance import allowed, budget, review
+from vmharness.evidence.tolerance import allowed, budget, review, review_measured
 
 BALL = Path(__file__).parents[2] / "cases" / "VM-061"
 
@@ -72,3 +72,11 @@ def test_a_budget_above_the_tolerance_is_wrong(changed):
 def test_an_absolute_tolerance_counts_as_the_fraction_that_it_is(changed):
     case = changed(r'(key\s*= "z_peak".*?)relative = \S+,', r"\1relative = 1e-6, absolute = 0.5,")
     assert allowed(case, "z_peak") == pytest.approx(1e-6 + 0.5 / abs(case.target("z_peak")), rel=1e-12)
+
+
+def test_an_error_that_its_budget_does_not_explain_is_said():
+    case = read(BALL)
+    expected = budget(case, "t_peak")
+    assert review_measured(case, {"t_peak": -0.99 * expected, "z_peak": 0.0}) == []
+    (sentence,) = review_measured(case, {"t_peak": -1.01 * expected})
+    assert re.fullmatch(r"t_peak: the measured error, \S+, exceeds the error budget, \S+", sentence)

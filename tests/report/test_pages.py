@@ -310,3 +310,14 @@ def test_index_counts_and_names_the_cases_without_a_run_first(good, tmp_path):
     html = (tmp_path / "index.html").read_text()
     assert html.index("deck &lt;b&gt;") < html.index(">VM-061<")
     assert Page(html).open == []
+
+
+def test_sensitivity_tells_what_moves_what_and_from_where_on_it_is_seen(good, tmp_path):
+    markdown, html = written(good, tmp_path)
+    head, _, *rows = table_after(markdown, "Sensitivity")
+    table = {row[0]: dict(zip(head[1:], row[1:], strict=True)) for row in rows}
+    assert set(table) == {"m", "k", "h", "g"}
+    assert (table["h"]["t_impact"], table["g"]["t_impact"]) == ("0.5", "-0.5")
+    assert table["g"]["Seen in the deck from"] == "0.0001 %, by t_impact"
+    assert "No target depends on E, nu, L, dt." in markdown
+    assert "<h2>Sensitivity</h2>" in html

@@ -1,3 +1,8 @@
+from types import SimpleNamespace
+
+import pytest
+
+from vmharness.compare import Tolerance, Verdict, compare
 from vmharness.suite import last_run
 from vmharness.suite.outcome import Outcome, Status
 
@@ -13,6 +18,21 @@ def test_what_did_not_pass_is_kept_until_it_does(tmp_path):
 
 def test_no_file_or_a_damaged_one_is_no_last_run(tmp_path):
     assert last_run.not_passed(tmp_path) == set()
-    for text in ("", "[1]", "{"):
+    for text in ("", "[1]", "{", '{"a": "fail"}'):
         (tmp_path / last_run.FILE).write_text(text)
         assert last_run.not_passed(tmp_path) == set()
+
+
+def test_errors_are_kept_as_fractions_of_the_targets(tmp_path):
+    rows = [
+        SimpleNamespace(
+            key="x", comparison=compare(2.0, 2.02, Tolerance(relative=0.1)), verdict=Verdict.PASS
+        ),
+        SimpleNamespace(
+            key="zero", comparison=compare(0.0, 0.1, Tolerance(absolute=1.0)), verdict=Verdict.PASS
+        ),
+    ]
+    last_run.write(
+        tmp_path, [Outcome("a", Status.PASS, run=SimpleNamespace(rows=rows)), Outcome("b", Status.FAIL)]
+    )
+    assert last_run.errors(tmp_path) == {"a": {"x": pytest.approx(0.01)}, "b": {}}

@@ -130,13 +130,13 @@ class Case:
     def _moves_deck(self, datum: str) -> bool:
         follow = [f"parameter {name}" for name in self.file.deck.parameters]
         follow += [f"mesh {name}" for name in self.file.deck.mesh]
-        return any(datum in self._origins(name) for name in follow)
+        return any(datum in self.origins(name) for name in follow)
 
-    def _origins(self, formula: str) -> frozenset[str]:
+    def origins(self, formula: str) -> frozenset[str]:
         """The given data on which a formula depends, through all the theory between."""
         origins: frozenset[str] = frozenset()
         for name in self.formulas[formula].names:
-            origins |= {name} if name in self.given else self._origins(name)
+            origins |= {name} if name in self.given else self.origins(name)
         return origins
 
 

@@ -10,6 +10,9 @@ from vmharness.case.change import changed_value
 from vmharness.case.format import Fault
 from vmharness.evidence.tolerance import allowed_difference
 
+# A parameter with just this formula is how long the deck runs, and no datum of its problem.
+RUN_LENGTH = "t_end"
+
 
 @dataclass(frozen=True)
 class Move:
@@ -17,6 +20,14 @@ class Move:
 
     percent: float | None  # of the target; None where that is zero
     tolerances: float  # change / allowed difference: what is not above 1 cannot fail
+
+
+def in_deck(case: Case, datum: str) -> bool:
+    """Whether the problem that the deck poses, and not only the length of its run, follows from a given datum."""
+    deck = case.file.deck
+    follow = [f"parameter {name}" for name, formula in deck.parameters.items() if formula != RUN_LENGTH]
+    follow += [f"mesh {name}" for name in deck.mesh]
+    return any(datum in case.origins(name) for name in follow)
 
 
 def planted(case: Case, fault: Fault) -> Case:
@@ -62,7 +73,7 @@ def _data(case: Case, fault: Fault) -> dict[str, float]:
 
 
 def _move(case: Case, faulty: Case, key: str) -> Move | None:
-    change = _change(case, faulty, key)
+    change = change_seen(case, faulty, key)
     if change is None:
         return None
     target, allowed = case.target(key), allowed_difference(case, key)
@@ -70,7 +81,11 @@ def _move(case: Case, faulty: Case, key: str) -> Move | None:
     return Move(100.0 * change / target if target else None, share)
 
 
-def _change(case: Case, faulty: Case, key: str) -> float | None:
+def change_seen(case: Case, faulty: Case, key: str) -> float | None:
+    """How far the reading of a result moves, by theory, when the deck has the data of `faulty`; consistent units.
+
+    It is read at the time, or the level, of the sound theory; None where theory has no curve to read there.
+    """
     result = case.result(key)
     at, level = f"at {result.event}", f"level {result.event}"
     if level in case.formulas and case.evaluate(level) != faulty.evaluate(level):

@@ -55,6 +55,19 @@ def review(case: Case) -> tuple[list[str], list[str]]:
     return tight, loose
 
 
+def review_measured(case: Case, errors: Mapping[str, float]) -> list[str]:
+    """Results whose measured error, a fraction of the target by key, is larger than their budget says; as sentences.
+
+    Such a result may lie within its tolerance: its error has a cause that the budget does not name.
+    """
+    budgets = {key: budget(case, key) for key in errors}
+    return [
+        f"{key}: the measured error, {abs(errors[key]):.2g}, exceeds the error budget, {expected:.2g}"
+        for key, expected in budgets.items()
+        if expected is not None and abs(errors[key]) > expected
+    ]
+
+
 def target_is_not_zero(case: Case, key: str) -> bool:
     """Fractions of a target of zero mean nothing."""
     return case.target(key) != 0.0

@@ -13,6 +13,8 @@ from importlib.metadata import version
 from pathlib import Path
 
 KEEP = 4  # folders of other sources or machines that share the cache; older ones are removed
+KEEP_PLANTED = 64  # one for each fault that is planted
+PLANTED = "VMHARNESS_PLANTED"  # names the fault that this process has in its sources, if any
 
 
 def root() -> Path:
@@ -24,15 +26,15 @@ def root() -> Path:
 
 
 def folder() -> Path:
-    """The folder for kernels of just these sources, this numba and this processor."""
-    digest = hashlib.sha256()
+    """The folder for kernels of just these sources, this numba and this processor, and of just this planted fault."""
+    digest, planted = hashlib.sha256(), os.environ.get(PLANTED, "")
     package = Path(__file__).parent
     for source in sorted(package.rglob("*.py")):
         digest.update(source.relative_to(package).as_posix().encode())
         digest.update(source.read_bytes())
-    for fact in (version("numba"), platform.python_version(), platform.machine(), _processor()):
+    for fact in (version("numba"), platform.python_version(), platform.machine(), _processor(), planted):
         digest.update(fact.encode())
-    return root() / f"kernels-{digest.hexdigest()[:16]}"
+    return root() / f"{'planted' if planted else 'kernels'}-{digest.hexdigest()[:16]}"
 
 
 def is_cold() -> bool:
@@ -63,7 +65,9 @@ def _processor() -> str:
 
 
 def _clean(current: Path) -> None:
-    """Remove all but the `KEEP` most recently used other folders of kernels."""
-    others = [other for other in root().glob("kernels-*") if other != current]
-    for other in sorted(others, key=lambda other: other.stat().st_mtime, reverse=True)[KEEP:]:
+    """Remove all but the most recently used other folders of its kind: sound kernels, or planted ones."""
+    kind = current.name.partition("-")[0]
+    keep = KEEP if kind == "kernels" else KEEP_PLANTED
+    others = [other for other in root().glob(f"{kind}-*") if other != current]
+    for other in sorted(others, key=lambda other: other.stat().st_mtime, reverse=True)[keep:]:
         shutil.rmtree(other, ignore_errors=True)

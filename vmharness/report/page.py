@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from vmharness.case import Case, CaseError
 from vmharness.case.format import Budget, Fault, Given, as_line
 from vmharness.evidence.faults import Move, moves
-from vmharness.evidence.tolerance import budget_lines
+from vmharness.evidence.sensitivity import Sensitivity, sensitivities
+from vmharness.evidence.tolerance import budget_lines, review_measured
 from vmharness.formula import Formula, Unit
 from vmharness.report.figures import histories, model
 from vmharness.report.figures.curves import Curve, curves
@@ -57,7 +58,9 @@ class Page:
     curves: list[TheoryLine]
     groups: list[tuple[str, list[Row]]]  # rows of the results by title of their event
     budget: list[tuple[Budget, Mapping[str, float]]]  # each line, with its fractions of the targets by key
+    doubtful: list[str]  # of the tolerances, in view of the errors of this run
     faults: list[PlantedFault]
+    sensitivity: Mapping[str, Mapping[str, Sensitivity]]  # by datum, then by key of the result
     model: Figure | None
     histories: list[Figure]
     studies: Sequence[Section]
@@ -77,7 +80,9 @@ def page(run: CaseRun, volatile: bool = True, indexed: bool = False, studies: Se
         curves=_curves(case),
         groups=run.groups,
         budget=budget_lines(case),
+        doubtful=review_measured(case, _errors(run)),
         faults=[_fault(case, fault) for fault in case.file.faults],
+        sensitivity=sensitivities(case),
         model=_model(run),
         histories=_histories(run, solver),
         studies=studies,
@@ -90,6 +95,12 @@ def worst_row(run: CaseRun) -> Row | None:
     """The result that uses most of its tolerance."""
     judged = [row for row in run.rows if row.comparison.share is not None]
     return max(judged, key=lambda row: row.comparison.share or 0.0, default=None)
+
+
+def _errors(run: CaseRun) -> dict[str, float]:
+    """Of the results that have one, as fractions of the targets."""
+    percents = {row.key: row.comparison.error_percent for row in run.rows}
+    return {key: percent / 100.0 for key, percent in percents.items() if percent is not None}
 
 
 def _data(case: Case) -> dict[str, list[Datum]]:

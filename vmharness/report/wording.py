@@ -1,7 +1,10 @@
 """Sentences that every format of the manual says in the same words."""
 
+from collections.abc import Mapping
+
 from vmharness.compare import Verdict
-from vmharness.report.number import decimals, given, share
+from vmharness.evidence.sensitivity import Sensitivity, smallest_seen
+from vmharness.report.number import DASH, decimals, given, positional, share
 from vmharness.report.page import Page, PlantedFault, worst_row
 from vmharness.result import CaseRun, Reading
 
@@ -52,6 +55,22 @@ def moves(fault: PlantedFault) -> list[tuple[str, str]]:
         (key, f"{decimals(moved.percent)} %, {moved.tolerances:.0f} × tolerance" if moved else "")
         for key, moved in fault.moves.items()
     ]
+
+
+def sensitive(page: Page) -> tuple[dict[str, Mapping[str, Sensitivity]], list[str]]:
+    """The data that move a target or a reading, with what they do; and the names of those that move none."""
+    moving = {
+        name: of
+        for name, of in page.sensitivity.items()
+        if any(one.percent or one.seen is not None for one in of.values())
+    }
+    return moving, [name for name in page.sensitivity if name not in moving]
+
+
+def seen(page: Page, datum: str) -> str:
+    """From which error of a datum in the deck on a result fails, and which."""
+    smallest = smallest_seen(page.sensitivity[datum])
+    return f"{positional(smallest[1], 2)} %, by {smallest[0]}" if smallest else DASH
 
 
 def reading_name(run: CaseRun, reading: Reading) -> str:

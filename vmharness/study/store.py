@@ -7,7 +7,6 @@ from pathlib import Path
 import msgspec
 
 from vmharness.explicit.cache import root
-from vmharness.report import atomic
 from vmharness.study.measured import Measured
 
 
@@ -26,5 +25,9 @@ def load(key: str) -> Measured | None:
 
 def keep(key: str, outcome: Measured) -> None:
     """Keep an outcome; where nothing can be written, nothing is kept."""
+    from vmharness.report import (
+        atomic,  # with it the measuring, which a worker imports after its fault is planted
+    )
+
     with contextlib.suppress(OSError):
         atomic.write(path(key), msgspec.json.encode(outcome).decode())

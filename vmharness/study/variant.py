@@ -12,7 +12,13 @@ import vmharness
 if TYPE_CHECKING:
     from vmharness.case import Case
 
-APART = {"cli", "report", "suite", "study"}  # folders of the package that no measured value depends on
+APART = {
+    "cli",
+    "evidence",
+    "report",
+    "suite",
+    "study",
+}  # folders of the package that no measured value depends on
 PROSE = {".md", ".svg", ".png"}
 
 
@@ -20,7 +26,8 @@ PROSE = {".md", ".svg", ".png"}
 class Variant:
     """A case to run: with other data (`Case.with_given`), another deck (`Case.with_deck`), or a fault in the solver.
 
-    `fault` names a planted fault of the solver's own; variants with one never share a process with others.
+    `fault` names a planted fault of the solver's own, and must be another where that has changed; variants with one
+    never share a process with others.
     """
 
     case: "Case"

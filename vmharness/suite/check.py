@@ -1,5 +1,6 @@
 """A case checked as far as it can be without running it."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,8 +17,11 @@ class Review:
     doubtful: list[str] = field(default_factory=list)
 
 
-def check(folder: Path) -> Review:
-    """Read the case, its prose and its deck, build the model, find its channels, review tolerances and faults."""
+def check(folder: Path, errors: Mapping[str, float] | None = None) -> Review:
+    """Read the case, its prose and its deck, build the model, find its channels, review tolerances and faults.
+
+    `errors`: how far its results were from their targets when last run, as fractions, by key.
+    """
     from vmharness.case import CaseError, read
     from vmharness.evidence import faults, tolerance
     from vmharness.report import prose
@@ -27,6 +31,7 @@ def check(folder: Path) -> Review:
         case = read(folder)
         tight, review.doubtful = tolerance.review(case)
         review.wrong += tight
+        review.doubtful += tolerance.review_measured(case, errors or {})
         review.wrong += faults.review(case)
         review.wrong += prose.review(case)
         review.wrong += _deck(case)

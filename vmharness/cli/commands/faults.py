@@ -1,0 +1,98 @@
+"""`vm faults`: which planted faults the cases notice."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vmharness.cli.gathering import gathered, write_record
+from vmharness.cli.options import How, studying
+from vmharness.cli.read import read_cases
+from vmharness.cli.say import complain, plain_table, say, say_table
+from vmharness.cli.selection import selected, selecting
+from vmharness.suite.outcome import EXIT_CODES, NOTHING_SELECTED, Status, exit_code
+
+if TYPE_CHECKING:
+    from vmharness.case import Case
+    from vmharness.evidence.detection import Detection
+
+
+@click.command("faults")
+@selecting
+@studying
+def command(
+    selectors: tuple[str, ...],
+    cases: Path | None,
+    words: str,
+    tags: tuple[str, ...],
+    how: How,
+    out: Path,
+    json: Path | None,
+) -> int:
+    """Plant faults in deck, solver and reading, one at a time, and see which results notice.
+
+    SELECT is an id, a pattern such as 'VM-0*', or the path of a case folder; without any, all cases are studied.
+    """
+    found, unknown = selected(selectors, cases, words, tags)
+    if not found:
+        complain("nothing selected")
+        return NOTHING_SELECTED
+    sound, broken = read_cases(found, {})
+    for outcome in broken:
+        complain(outcome.reason)
+    detections, unjudged = _detections(sound, how)
+    for detection in detections:
+        write_record(out, detection.case, "faults", detection, None)
+    if json is not None:
+        _write(json, detections)
+    _show(detections)
+    statuses = [Status.UNJUDGED] * unjudged + [Status.BROKEN] * (len(broken) + len(unknown))
+    return exit_code(statuses) if statuses else EXIT_CODES[Status.PASS]
+
+
+def _detections(cases: "list[Case]", how: How) -> "tuple[list[Detection], int]":
+    """What became of all faults in each case, and how many cases do not even pass without one."""
+    from vmharness.evidence.plant import plant
+    from vmharness.study.faults import StudyError, detection, planted
+    from vmharness.study.variant import Variant
+
+    sound = gathered([Variant(case) for case in cases], how, "sound runs")
+    plans = []
+    for case, outcome in zip(cases, sound, strict=True):
+        try:
+            plans.append((case, outcome, planted(case, outcome)))
+        except StudyError as error:
+            complain(str(error))
+    variants = [fault.variant for *_, faults in plans for fault in faults]
+    outcomes = iter(gathered(variants, how, "planted faults", plant))
+    found = [
+        detection(case, outcome, faults, [next(outcomes) for _ in faults], how.solver)
+        for case, outcome, faults in plans
+    ]
+    return found, len(cases) - len(plans)
+
+
+def _show(detections: "list[Detection]") -> None:
+    """The score of each case with what it misses, then what no case catches."""
+    from vmharness.evidence.detection import coverage
+    from vmharness.report.studies.faults import to_do
+
+    table = plain_table("Case", "Caught", "Missed")
+    for found in detections:
+        missed = ", ".join(finding.fault for finding in found.missed)
+        table.add_row(found.case, f"{found.caught} of {found.applicable}", missed)
+    say_table(table)
+    together = coverage(detections)
+    say(f"faults of the solver: {together.caught} of {len(together.matrix)} are caught by a case here")
+    for sentence in to_do(together):
+        say(f"  {sentence}")
+
+
+def _write(path: Path, detections: "list[Detection]") -> None:
+    import msgspec
+
+    from vmharness.evidence.detection import coverage
+    from vmharness.report import atomic
+
+    record = {"cases": detections, "coverage": coverage(detections)}
+    atomic.write(path, msgspec.json.format(msgspec.json.encode(record), indent=1).decode() + "\n")

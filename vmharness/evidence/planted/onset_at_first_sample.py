@@ -1,0 +1,6 @@
+"""An onset is taken at the first sample that shows it."""
+
+KIND = "reading"
+MODULE = "vmharness.events"
+SOUND = "return [_root_before(time, values, int(i)) for i in first]"
+FAULTY = "return [float(time[i]) for i in first]"

@@ -1,0 +1,143 @@
+"""Which way of reading a history gives the digits of a published column: intervals and methods, tried one by one.
+
+A solver writes states some interval apart, and a reader takes a state for the event, without interpolation. What is
+found is the reading that gives the most of the printed figures. Of several such it is the roundest interval, then the
+largest, for the finer the states, the more readings come close to the history itself; the other intervals are named.
+"""
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from vmharness.case import Case
+from vmharness.case.format import Published
+from vmharness.evidence.reading import prints_as, state_of, states
+from vmharness.evidence.thinning import read_all
+from vmharness.formula import Unit
+from vmharness.history import History
+
+STEPS = (1.0, 2.0, 2.5, 5.0)  # of the intervals that people choose, times a power of ten
+FEWEST = 10  # states in a run that anyone would read
+MOST = 20_000  # beyond them an interval is tried no more: it is next to none
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One way to read a history, and what it gives."""
+
+    interval: float  # consistent units; 0 for the whole history, read between its samples
+    method: str
+    values: Mapping[str, float]  # by key, in the results' units
+    same: tuple[str, ...]  # keys whose printed digits it gives
+    also: tuple[float, ...] = ()  # other intervals that give just as many, read the same way
+
+    def says(self, unit: str) -> str:
+        """The reading in words."""
+        if self.interval == 0.0:
+            return self.method
+        return f"states {self.interval:g} {unit} apart, {self.method}"
+
+
+def best(case: Case, history: History, column: Published) -> Reading:
+    """The reading that gives most of the column; the whole history, read properly, if none gives more than that."""
+    found = [plain(case, history, column), *_all(case, history, column, list(column.values))]
+    chosen = max(found, key=_worth)
+    alike = [one for one in found if one.method == chosen.method and len(one.same) == len(chosen.same)]
+    return replace(chosen, also=tuple(one.interval for one in alike if one.interval != chosen.interval))
+
+
+def rest(case: Case, history: History, column: Published, but: Reading) -> Reading | None:
+    """What gives most of the figures that the reading `but` does not, at its interval; None if none gives any."""
+    keys = [key for key in column.values if key not in but.same]
+    found = [one for one in _all(case, history, column, keys) if one.same and one.interval == but.interval]
+    return max(found, key=_worth, default=None)
+
+
+def plain(case: Case, history: History, column: Published) -> Reading:
+    """Every result found between the samples of the whole history."""
+    values = {key: value for key, value in read_all(case, history).items() if value is not None}
+    return _judged(0.0, "every cycle, read between samples", values, column, list(column.values))
+
+
+def intervals(history: History) -> Iterator[float]:
+    """1, 2, 2.5 and 5 times powers of ten, from a tenth of the run down to a few cycles."""
+    span = float(history.time[-1] - history.time[0])
+    shortest = max(2.0 * span / (len(history) - 1), span / MOST)
+    for power in range(math.floor(math.log10(span)), math.floor(math.log10(shortest)) - 1, -1):
+        for step in sorted(STEPS, reverse=True):
+            interval = float(f"{step}e{power}")
+            if shortest <= interval <= span / FEWEST:
+                yield interval
+
+
+def _worth(reading: Reading) -> tuple[int, bool, float]:
+    """Figures that it gives; of the same, the plain reading, which needs no explanation, then the rounder interval."""
+    if reading.interval == 0.0:
+        return len(reading.same), True, math.inf
+    return len(reading.same), f"{reading.interval:e}".startswith("1.000000"), reading.interval
+
+
+def _all(case: Case, history: History, column: Published, keys: list[str]) -> Iterator[Reading]:
+    for interval in intervals(history):
+        for how, written in WRITTEN.items():
+            sampled = written(history, interval)
+            for which, before in (("the first that shows the event", 0), ("the last before the event", 1)):
+                values = _values(case, sampled, keys, before)
+                yield _judged(interval, f"{how}; {which}", values, column, keys)
+
+
+def _judged(
+    interval: float, method: str, values: Mapping[str, float], column: Published, keys: list[str]
+) -> Reading:
+    same = tuple(key for key in keys if key in values and prints_as(values[key], column.values[key]))
+    return Reading(interval, method, values, same)
+
+
+def _values(case: Case, sampled: History, keys: list[str], before: int) -> dict[str, float]:
+    """The states of the events, as a reader without interpolation takes them; an onset may be taken one state early."""
+    found = {}
+    for key in keys:
+        result = case.result(key)
+        event = case.file.events[result.event]
+        state = state_of(event, sampled)
+        if state is None:
+            continue
+        if event.onset_of is not None:
+            state = max(state - before, 0)
+        found[key] = float(sampled[result.channel][state]) / case.units.factor(Unit(result.unit))
+    return found
+
+
+def _last_cycle(history: History, interval: float) -> History:
+    return _at_samples(history, states(history, interval))
+
+
+def _next_cycle(history: History, interval: float) -> History:
+    nominal = _nominal(history, interval)
+    found = np.searchsorted(history.time, nominal - 1e-9 * interval)
+    return _at_samples(history, np.unique(found[found < len(history)]))
+
+
+def _exactly(history: History, interval: float) -> History:
+    nominal = _nominal(history, interval)
+    # Between samples a straight line will do, and leaves a force zero until it begins.
+    channels = {name: np.interp(nominal, history.time, values) for name, values in history.channels.items()}
+    return History(nominal, channels)
+
+
+def _nominal(history: History, interval: float) -> np.ndarray:
+    count = math.floor((history.time[-1] - history.time[0]) / interval * (1.0 + 1e-12))
+    return np.asarray(history.time[0] + interval * np.arange(count + 1))
+
+
+def _at_samples(history: History, chosen: np.ndarray) -> History:
+    return History(history.time[chosen], {name: values[chosen] for name, values in history.channels.items()})
+
+
+WRITTEN: dict[str, Callable[[History, float], History]] = {
+    "each the last cycle not after its time": _last_cycle,
+    "each at its very time": _exactly,
+    "each the first cycle not before its time": _next_cycle,
+}

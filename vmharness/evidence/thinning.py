@@ -1,0 +1,25 @@
+"""Results read from every n-th sample of a history: what the spacing of the samples does, the motion being the same."""
+
+from vmharness.case import Case
+from vmharness.formula import Unit
+from vmharness.history import History
+from vmharness.measure import find_event, value_at
+
+
+def thinned(history: History, stride: int) -> History:
+    """Samples 0, `stride`, 2 `stride`, ..."""
+    channels = {name: values[::stride] for name, values in history.channels.items()}
+    return History(history.time[::stride], channels)
+
+
+def read_all(case: Case, history: History) -> dict[str, float | None]:
+    """Every result of the case in its unit, by key; None where its event or its time is not in the history."""
+    events = {name: find_event(case, name, history) for name in case.file.events}
+    found: dict[str, float | None] = {}
+    for result in case.file.results:
+        event = events[result.event]
+        found[result.key] = None
+        if not isinstance(event, str):
+            value = value_at(history, result.channel, event.time)
+            found[result.key] = value / case.units.factor(Unit(result.unit))
+    return found

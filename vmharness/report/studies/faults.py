@@ -1,0 +1,113 @@
+"""Faults: what a case's results noticed of all that was planted."""
+
+from collections.abc import Sequence
+
+import msgspec
+
+from vmharness.case import Case
+from vmharness.evidence.detection import Coverage, Detection, Finding, Noticed, coverage
+from vmharness.report.number import DASH, share
+from vmharness.report.section import Section, Table
+
+KINDS = {
+    "deck": "in the deck",
+    "physics": "in the solver's physics",
+    "integration": "in its integration in time",
+    "reading": "in what is shown or read of it",
+}
+
+
+def section(content: bytes, case: Case) -> Section:
+    """The section for the record of `vm faults`."""
+    found = msgspec.json.decode(content, type=Detection)
+    text = [
+        f"Of {found.applicable} planted faults that change this run, {found.caught} are caught: a result leaves its "
+        "tolerance, or the solver refuses to go on. Numbers are the largest distance from a target, in tolerances."
+    ]
+    if found.missed:
+        text.append(f"Not noticed here: {', '.join(finding.fault for finding in found.missed)}.")
+    tables = [table for table in (_parameters(found), _others(found)) if table.rows]
+    return Section("Faults", score(found), text, tables, remarks=_unseen(found))
+
+
+def score(found: Detection) -> str:
+    """How many of the faults that change anything are caught."""
+    return f"{found.caught} of {found.applicable} faults"
+
+
+def cell(finding: Finding | None) -> str:
+    """What became of a fault, in a word and a number.
+
+    >>> cell(Finding("a", "A", "deck", Noticed.MISSED, "z", 0.34)), cell(None)
+    ('✗ 34 %', '–')
+    """
+    if finding is None or finding.noticed in (Noticed.UNSEEN, Noticed.HARMLESS):
+        return DASH
+    sign = "✓" if finding.noticed is Noticed.CAUGHT else "✗"
+    return f"{sign} {share(finding.share) if finding.share is not None else 'no result'}"
+
+
+def manual(detections: Sequence[Detection]) -> Section:
+    """What all cases together notice of the faults of the solver: the matrix, and what none of them catches."""
+    found = coverage(detections)
+    text = [
+        f"Faults are planted in the solver, one at a time. Of {len(found.matrix)}, {found.caught} are caught by a "
+        "case. ✓ caught, by so many tolerances; ✗ the run changes, and passes; – nothing of it in the case."
+    ]
+    head = ["Fault", *(detection.case for detection in detections)]
+    rows = [
+        [next(iter(cases.values())).text, *(cell(cases.get(detection.case)) for detection in detections)]
+        for cases in found.matrix.values()
+    ]
+    return Section(
+        "What the cases notice",
+        f"{found.caught} of {len(found.matrix)}",
+        text,
+        [Table(head, rows)],
+        remarks=to_do(found),
+    )
+
+
+def to_do(found: Coverage) -> list[str]:
+    """The faults that no case catches, and those of which no case has anything."""
+    missed = [
+        f"No case catches {finding.fault} ({finding.text}); nearest is {finding.by}, "
+        f"at {share(finding.share)} of its tolerance."
+        for finding in found.missed
+    ]
+    return missed + [f"No case has anything of {finding.fault} ({finding.text})." for finding in found.unseen]
+
+
+def _parameters(found: Detection) -> Table:
+    """Deck faults of one parameter: a row a parameter, a column a change."""
+    changes: dict[str, dict[str, Finding]] = {}
+    for finding in found.findings:
+        name, _, how = finding.fault.partition(" ")
+        if finding.kind == "deck" and name.isidentifier() and name.isupper():
+            changes.setdefault(name, {})[how] = finding
+    columns = list(next(iter(changes.values()), {}))
+    rows = [[name, *(cell(row.get(how)) for how in columns)] for name, row in changes.items()]
+    return Table(["Parameter of the deck", *columns], rows)
+
+
+def _others(found: Detection) -> Table:
+    shown = {row[0] for row in _parameters(found).rows}
+    rows = [
+        [finding.text, KINDS[finding.kind], cell(finding), finding.by or finding.reason or DASH]
+        for finding in found.findings
+        if finding.noticed is not Noticed.UNSEEN and finding.fault.partition(" ")[0] not in shown
+    ]
+    return Table(["Fault", "Where", "Caught?", "By"], rows, numbers=4)
+
+
+def _unseen(found: Detection) -> list[str]:
+    """Faults of which the case has nothing, and parameters that no result depends on."""
+    unseen = [finding.fault for finding in found.findings if finding.noticed is Noticed.UNSEEN]
+    idle = [
+        finding.fault.partition(" ")[0] for finding in found.findings if finding.noticed is Noticed.HARMLESS
+    ]
+    said = [f"Not applicable, for the run is the same with it: {', '.join(unseen)}."] if unseen else []
+    harmless = ", ".join(dict.fromkeys(idle))
+    return said + (
+        [f"Of the model, and without effect on any result, however wrong: {harmless}."] if idle else []
+    )
