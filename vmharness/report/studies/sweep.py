@@ -10,18 +10,25 @@ from vmharness.report.section import Figure, Section, Table
 
 def section(content: bytes, case: Case) -> Section:
     """The section for the record of `vm sweep`."""
-    from vmharness.report.figures import scatter
-
     found = msgspec.json.decode(content, type=Swept)
-    caption = "Largest share of a tolerance that a result uses, over each datum; filled: out of tolerance"
     return Section(
         "Sweep over the given data",
         summary(found),
         text=[plan(found), verdict(found)],
         tables=tables(found),
-        figures=[Figure("sweep", caption, scatter.draw(found))],
         remarks=remarks(found),
     )
+
+
+def figures(content: bytes) -> list[Figure]:
+    """Shares of tolerances over each datum."""
+    from vmharness.report.figures import scatter
+
+    found = msgspec.json.decode(content, type=Swept)
+    caption = (
+        "Largest share of a tolerance that a result uses at each point, over each datum; large: out of it"
+    )
+    return [Figure("sweep", caption, scatter.draw(found))]
 
 
 def plan(found: Swept) -> str:
