@@ -67,7 +67,7 @@ def serving(solver: str, fault: str, plant: Plant | None) -> Work:
     solves = backend(solver)
 
     def work(variant: Variant, progress: Report) -> Measured:
-        return measured(run(variant.case, solves, progress))
+        return measured(run(variant.case, solves, progress), variant.strides)
 
     return work
 

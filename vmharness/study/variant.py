@@ -27,12 +27,13 @@ class Variant:
     """A case to run: with other data (`Case.with_given`), another deck (`Case.with_deck`), or a fault in the solver.
 
     `fault` names a planted fault of the solver's own, and must be another where that has changed; variants with one
-    never share a process with others.
+    never share a process with others. `strides`: which samples alone the results are read from, too, every 2nd, ...
     """
 
     case: "Case"
     label: str = ""
     fault: str = ""
+    strides: tuple[int, ...] = ()
 
     def key(self, solver: str) -> str:
         """A hash of all that the outcome depends on: case, data, deck, solver and its sources, fault."""
@@ -45,6 +46,7 @@ class Variant:
             case.deck_parameters(),
             case.deck_text,
             self.fault,
+            self.strides,
         ]
         return hashlib.sha256(json.dumps(what, sort_keys=True).encode()).hexdigest()
 

@@ -1,0 +1,118 @@
+"""The runs from which the difference of each result is split, and the split itself."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from vmharness.case import Case, CaseError
+from vmharness.deck import DeckError
+from vmharness.evidence.explanation import Explained, Explanation, Part, explained, halved, sampled
+from vmharness.evidence.faults import RUN_LENGTH
+from vmharness.evidence.richardson import Kind, Richardson, richardson
+from vmharness.study import converge
+from vmharness.study.deck import with_step
+from vmharness.study.measured import Measured
+from vmharness.study.variant import Variant
+
+SOUND, HALF, QUARTER, EXACT = (
+    "as it is",
+    "half the step",
+    "a quarter of the step",
+    "every number of the deck exact",
+)
+TIME_STEP, NUMBERS, MESH = "time step", "digits of the deck", "mesh"
+
+
+def variants(case: Case) -> dict[str, Variant]:
+    """The runs by name: as it is, in finer steps, with exact numbers, and the levels of [converge] for the mesh."""
+    found = {SOUND: Variant(case, SOUND)}
+    try:
+        found[HALF] = Variant(with_step(case, 0.5), HALF, strides=(2,))
+        found[QUARTER] = Variant(with_step(case, 0.25), QUARTER, strides=(1, 2, 4))
+    except DeckError:  # the step follows a curve
+        found.pop(HALF, None)
+    if case.file.deck.parameters:
+        found[EXACT] = Variant(_with_exact_numbers(case), EXACT)
+    return found | {variant.label: variant for variant in _meshes(case)}
+
+
+def explanation(case: Case, outcomes: Mapping[str, Measured], solver: str) -> Explanation:
+    """The split of every result that has a value; raises CaseError where the run as it is has not even one."""
+    sound = outcomes[SOUND]
+    if sound.failure:
+        raise CaseError(f"{case.id}: the run that is to be explained failed: {sound.failure}")
+    notes = [
+        f"{name}: {outcome.failure}; what follows from it is not separated"
+        for name, outcome in outcomes.items()
+        if outcome.failure
+    ]
+    if HALF not in outcomes:
+        notes.append("the time step follows a curve of the deck: time step and sampling are not separated")
+    if not _meshes(case):
+        notes.append(
+            "the case declares no refinement of its mesh: what a mesh does is part of the unexplained"
+        )
+    results = [
+        _explained(case, key, outcomes) for key, value in sound.results.items() if value.value is not None
+    ]
+    return Explanation(case.id, solver, results, notes=notes)
+
+
+def _explained(case: Case, key: str, outcomes: Mapping[str, Measured]) -> Explained:
+    result, sound = case.result(key), outcomes[SOUND].results[key]
+    value, target = sound.value or 0.0, sound.target
+    parts = [*_steps(key, value, outcomes), *_numbers(key, value, outcomes)]
+    parts += _mesh(case, key, value, target, outcomes, parts)
+    allowed = result.tolerance.absolute + result.tolerance.relative * abs(target)
+    return explained(key, result.label, result.unit, target, value, allowed, parts)
+
+
+def _steps(key: str, value: float, outcomes: Mapping[str, Measured]) -> list[Part]:
+    """Time step, by finer steps read at the instants of the run; sampling, by one motion read more and more finely."""
+    if HALF not in outcomes or outcomes[HALF].failure or outcomes[QUARTER].failure:
+        return []
+    half = outcomes[HALF].thinned[2][key][0]
+    quarter = [outcomes[QUARTER].thinned[stride][key] for stride in (1, 2, 4)]
+    known = [[value for value in phases if value is not None] for phases in quarter]
+    if half is None or [len(phases) for phases in known] != [1, 2, 4]:
+        return []
+    coarse = known[-1][0]
+    return [halved(value - half, half - coarse, TIME_STEP), sampled(coarse, known)]
+
+
+def _numbers(key: str, value: float, outcomes: Mapping[str, Measured]) -> list[Part]:
+    """What the rounding of the deck's own numbers does: the run, less the one with all the digits of the data."""
+    if EXACT not in outcomes or outcomes[EXACT].failure:
+        return []
+    exact = outcomes[EXACT].results[key].value
+    return [] if exact is None else [Part(NUMBERS, value - exact)]
+
+
+def _mesh(
+    case: Case, key: str, value: float, target: float, outcomes: Mapping[str, Measured], others: list[Part]
+) -> list[Part]:
+    """The run, less what its meshes converge to; less the time step, too, where that is refined with them."""
+    plan, levels = case.file.converge, _meshes(case)
+    if plan is None or not levels:
+        return []
+    sizes = [case.formulas["converge size"].evaluate({**case.values, "N": number}) for number in plan.levels]
+    values = [
+        outcomes[level.label].results[key].value if key in outcomes[level.label].results else None
+        for level in levels
+    ]
+    found: Richardson = richardson([float(size) for size in sizes], values, plan.orders.get(key))
+    if found.kind not in (Kind.CONVERGES, Kind.EXACT) or found.extrapolated is None:
+        return []
+    along = sum(part.value for part in others if part.cause == TIME_STEP) if plan.refined == "both" else 0.0
+    return [Part(MESH, value - found.extrapolated - along, found.gci or 0.0)]
+
+
+def _meshes(case: Case) -> list[Variant]:
+    plan = case.file.converge
+    return converge.levels(case) if plan is not None and plan.refined != "time step" else []
+
+
+def _with_exact_numbers(case: Case) -> Case:
+    """The case with every parameter of its deck that follows from the data, in all its digits."""
+    names = [name for name, formula in case.file.deck.parameters.items() if formula != RUN_LENGTH]
+    exact = {name: case.evaluate(f"parameter {name}") for name in names}
+    return replace(case, planted={**exact, **case.deck_parameters()})
