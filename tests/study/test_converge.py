@@ -99,7 +99,7 @@ def test_the_section_of_the_page(short):
     assert section.summary == "order 3.0"
     orders = section.tables[1]
     assert orders.rows[0][:3] == ["t_impact", "3.00 ± 0.00", "3"]
-    assert section.figures[0].svg.startswith("<svg")
+    assert page.figures(msgspec.json.encode(found))[0].svg.startswith("<svg")
     assert section == page.section(msgspec.json.encode(found), short)
 
 

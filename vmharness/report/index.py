@@ -18,6 +18,7 @@ class Line:
     run: CaseRun
     worst: Row | None
     passed: int  # how many of its results
+    studies: Sequence[str] = ()  # what studies found, in a few words each
 
 
 @dataclass(frozen=True)
@@ -32,15 +33,17 @@ class Index:
     counts: Mapping[Verdict, int]  # a case without a run is an error
 
 
-def index(runs: Sequence[CaseRun], unrun: Sequence[Unrun]) -> Index:
-    """Order the runs for the index; the cases without one come before them."""
+def index(runs: Sequence[CaseRun], unrun: Sequence[Unrun], studies: Mapping[str, Sequence[str]]) -> Index:
+    """Order the runs for the index; the cases without one come before them. `studies` are by case."""
     solvers: dict[str, list[Line]] = {}
     coverage: dict[str, list[CaseRun]] = {}
     for run in sorted(runs, key=_badness):
         passed = sum(row.verdict is Verdict.PASS for row in run.rows)
         # The margin of what was judged says nothing about a run that was not.
         worst = None if run.verdict is Verdict.ERROR else worst_row(run)
-        solvers.setdefault(short_name(run.solution.solver), []).append(Line(run, worst, passed))
+        solvers.setdefault(short_name(run.solution.solver), []).append(
+            Line(run, worst, passed, studies.get(run.case.id, ()))
+        )
     for run in sorted(runs, key=lambda run: run.case.id):
         for tag in run.case.file.tags:
             coverage.setdefault(tag, []).append(run)

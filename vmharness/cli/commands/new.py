@@ -1,0 +1,39 @@
+"""`vm new`: a case folder to fill in."""
+
+import re
+from pathlib import Path
+
+import click
+
+from vmharness.cli.say import complain, say
+from vmharness.suite.outcome import EXIT_CODES, Status
+
+
+@click.command("new")
+@click.argument("id", metavar="ID")
+@click.option(
+    "--cases",
+    type=click.Path(path_type=Path),
+    default=Path("cases"),
+    metavar="DIR",
+    help="Folder of case folders.  [default: ./cases]",
+)
+def command(id: str, cases: Path) -> int:
+    """Make a case folder that runs, a mass in free fall, to put another problem in its place.
+
+    ID is its name: letters, digits, dots and hyphens.
+    """
+    from vmharness.case import CaseError
+    from vmharness.case.new import new
+
+    if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9.-]*", id):
+        raise click.BadParameter(f"{id!r} is no id: letters, digits, dots and hyphens make one")
+    try:
+        written = new(cases / id)
+    except (CaseError, OSError) as error:
+        complain(str(error))
+        return EXIT_CODES[Status.BROKEN]
+    for path in written:
+        say(str(path))
+    say(f"Fill in what is blank in case.toml; `vm check {id}` says what is left, `vm run {id}` runs it.")
+    return 0

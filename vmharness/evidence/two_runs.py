@@ -1,0 +1,96 @@
+"""Two runs of the manual, result by result: solvers, versions, machines."""
+
+import math
+from dataclasses import dataclass, field
+
+RANK = {"pass": 0, "fail": 1, "error": 2}
+
+
+@dataclass(frozen=True)
+class Result:
+    """A result, as `vm run --json` writes it."""
+
+    key: str
+    unit: str
+    target: float | None
+    value: float | None
+    tolerance_percent: float | None
+    verdict: str
+
+
+@dataclass(frozen=True)
+class CaseOfRun:
+    """A case, as `vm run --json` writes it."""
+
+    id: str
+    solver: str | None
+    verdict: str
+    results: list[Result]
+    set: dict[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Run:
+    """The file that `vm run --json` writes; keys that are not here are of no concern."""
+
+    schema: int
+    version: str
+    cases: list[CaseOfRun]
+
+
+@dataclass(frozen=True)
+class Pair:
+    """A result of two runs; what is None is missing there."""
+
+    case: str
+    key: str
+    unit: str
+    first: float | None
+    second: float | None
+    percent: float | None  # second - first, of the target (of the first value, where the target is zero)
+    share: float | None  # of the tolerance of the first
+    verdicts: tuple[str, str]  # "missing" where a run has no such result
+    remark: str = ""
+
+    @property
+    def worse(self) -> bool:
+        """The second run has no such result, or a worse verdict on it."""
+        first, second = self.verdicts
+        return RANK.get(second, 3) > RANK.get(first, 3)
+
+
+def pairs(first: Run, second: Run) -> list[Pair]:
+    """Every result of either run, beside that of the other; the largest share of a tolerance first."""
+    cases = {_name(case): case for case in first.cases}, {_name(case): case for case in second.cases}
+    found = []
+    for name in dict.fromkeys([*cases[0], *cases[1]]):
+        results = tuple({r.key: r for r in (c[name].results if name in c else [])} for c in cases)
+        found += [
+            _pair(name, key, results[0].get(key), results[1].get(key))
+            for key in dict.fromkeys([*results[0], *results[1]])
+        ]
+        if not any(results):
+            verdicts = tuple(c[name].verdict if name in c else "missing" for c in cases)
+            found.append(Pair(name, "", "", None, None, None, None, (verdicts[0], verdicts[1])))
+    return sorted(found, key=lambda pair: (not pair.worse, -(pair.share or 0.0)))
+
+
+def _name(case: CaseOfRun) -> str:
+    data = ",".join(f"{name}={value:g}" for name, value in case.set.items())
+    return f"{case.id}@{data}" if data else case.id
+
+
+def _pair(case: str, key: str, a: Result | None, b: Result | None) -> Pair:
+    known = a or b
+    assert known is not None
+    values = (a.value if a else None, b.value if b else None)
+    verdicts = (a.verdict if a else "missing", b.verdict if b else "missing")
+    percent = share = None
+    if values[0] is not None and values[1] is not None:
+        scale = abs(known.target or values[0]) or math.nan
+        percent = 100.0 * (values[1] - values[0]) / scale if values[1] != values[0] else 0.0
+        share = abs(percent) / known.tolerance_percent if known.tolerance_percent else None
+    moved = bool(a and b and a.target != b.target)
+    return Pair(
+        case, key, known.unit, *values, percent, share, verdicts, "the target is another" if moved else ""
+    )
