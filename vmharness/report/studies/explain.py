@@ -120,7 +120,7 @@ def _share(one: Explained, value: float) -> float:
 
 
 def _percent_of(one: Explained, value: float, own: bool) -> float:
-    whole = one.allowed if own else abs(one.target)
+    whole = one.allowed if own else one.target
     return 100.0 * value / whole if whole else 0.0
 
 
