@@ -73,6 +73,7 @@ class Explanation:
     """All that `vm explain` finds out about a case."""
 
     case: str
+    case_sha256: str
     solver: str
     results: list[Explained]
     columns: list[Column] = field(default_factory=list)  # published

@@ -39,12 +39,13 @@ def write_index(runs: list[CaseRun], folder: Path, unrun: Sequence[Unrun] = ()) 
     """Write the index over `runs`, and the cases without one, into `folder` in every format; raises OSError."""
     from vmharness.report.index import index
     from vmharness.report.section import sections
+    from vmharness.report.studies import faults
 
     studies = {
         run.case.id: [section.summary for section in sections(run.case, folder / run.case.id, drawn=False)]
         for run in runs
     }
-    content = index(runs, unrun, studies)
+    content = index(runs, unrun, studies, faults.manual([run.case for run in runs], folder))
     texts = {folder / form.FILE: form.index(content) for form in dropins.modules(PAGES)}
     return [atomic.write(path, text) for path, text in texts.items()]
 

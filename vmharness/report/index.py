@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from vmharness.compare import Verdict
 from vmharness.report.page import worst_row
+from vmharness.report.section import Section
 from vmharness.report.solver import short_name
 from vmharness.result import CaseRun, Row, Unrun
 
@@ -31,9 +32,15 @@ class Index:
     ]  # by solver, without its version: errors, failures, then the thinnest margin
     coverage: Mapping[str, list[CaseRun]]  # by tag
     counts: Mapping[Verdict, int]  # a case without a run is an error
+    detection: Section | None = None  # what all cases together notice of planted faults
 
 
-def index(runs: Sequence[CaseRun], unrun: Sequence[Unrun], studies: Mapping[str, Sequence[str]]) -> Index:
+def index(
+    runs: Sequence[CaseRun],
+    unrun: Sequence[Unrun],
+    studies: Mapping[str, Sequence[str]],
+    detection: Section | None = None,
+) -> Index:
     """Order the runs for the index; the cases without one come before them. `studies` are by case."""
     solvers: dict[str, list[Line]] = {}
     coverage: dict[str, list[CaseRun]] = {}
@@ -49,7 +56,9 @@ def index(runs: Sequence[CaseRun], unrun: Sequence[Unrun], studies: Mapping[str,
             coverage.setdefault(tag, []).append(run)
     counts = {verdict: sum(run.verdict is verdict for run in runs) for verdict in Verdict}
     counts[Verdict.ERROR] += len(unrun)
-    return Index(sorted(unrun, key=lambda case: case.id), solvers, dict(sorted(coverage.items())), counts)
+    return Index(
+        sorted(unrun, key=lambda case: case.id), solvers, dict(sorted(coverage.items())), counts, detection
+    )
 
 
 def _badness(run: CaseRun) -> tuple[int, float, str]:

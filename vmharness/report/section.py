@@ -1,7 +1,6 @@
 """What a study leaves beside a case's page, and how the page shows it."""
 
 import contextlib
-import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -81,4 +80,4 @@ def _section(study: ModuleType, content: bytes, case: Case, drawn: bool) -> Sect
 def _is_old(content: bytes, case: Case) -> bool:
     """The case has changed since the study, as far as its file shows."""
     known = msgspec.json.decode(content).get("case_sha256")
-    return known is not None and known != hashlib.sha256((case.folder / "case.toml").read_bytes()).hexdigest()
+    return known is not None and known != case.sha256

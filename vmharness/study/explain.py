@@ -19,7 +19,7 @@ SOUND, HALF, QUARTER, EXACT = (
     "a quarter of the step",
     "every number of the deck exact",
 )
-TIME_STEP, NUMBERS, MESH = "time step", "digits of the deck", "mesh"
+TIME_STEP, NUMBERS, MESH = "time step", "numbers of the deck", "mesh"
 
 
 def variants(case: Case) -> dict[str, Variant]:
@@ -54,7 +54,11 @@ def explanation(case: Case, outcomes: Mapping[str, Measured], solver: str) -> Ex
     results = [
         _explained(case, key, outcomes) for key, value in sound.results.items() if value.value is not None
     ]
-    return Explanation(case.id, solver, results, notes=notes)
+    if _meshes(case):
+        open_ = [one.key for one in results if MESH not in [part.cause for part in one.parts]]
+        if open_:
+            notes.append(f"the mesh is not separated for {', '.join(open_)}: the sequence has no limit yet")
+    return Explanation(case.id, case.sha256, solver, results, notes=notes)
 
 
 def _explained(case: Case, key: str, outcomes: Mapping[str, Measured]) -> Explained:

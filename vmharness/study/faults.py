@@ -43,12 +43,8 @@ class Planted:
 def planted(case: Case, sound: Measured) -> list[Planted]:
     """Every fault to plant in a case whose `sound` run is known; raises StudyError unless that passes."""
     if not sound.passed:
-        why = (
-            sound.failure or f"{sound.worst[0]} is out of tolerance"
-            if sound.worst
-            else "nothing was measured"
-        )
-        raise StudyError(f"{case.id}: does not pass without any fault: {why}")
+        key = sound.worst[0] if sound.worst else "nothing"
+        raise StudyError(f"{case.id}: does not pass without any fault: {sound.failure or key}")
     return [*parameter_faults(case, LONGEST * sound.cycles), *support_faults(case), *solver_faults(case)]
 
 
@@ -104,7 +100,7 @@ def detection(
         else one
         for one in found
     ]
-    return Detection(case.id, solver, found)
+    return Detection(case.id, case.sha256, solver, found)
 
 
 def _is_idle(case: Case, name: str, found: Sequence[Finding]) -> bool:

@@ -1,6 +1,5 @@
 """Points of a sweep as variants of a case, and the record of what they gave."""
 
-import hashlib
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
@@ -43,7 +42,7 @@ def swept(case: Case, found: Sequence[Point], how: str, gather: Gather, solver: 
     labels = {result.key: result.label for result in case.file.results}
     record = Swept(
         case=case.id,
-        case_sha256=hashlib.sha256((case.folder / "case.toml").read_bytes()).hexdigest(),
+        case_sha256=case.sha256,
         solver=solver,
         how=how,
         ranges=dict(plan.ranges),

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 @CASES
 @studying
 def command(selector: str, cases: Path | None, how: How, out: Path, json: Path | None) -> int:
-    """Split value less target of each result: time step, sampling, mesh, digits of the deck, and what is left.
+    """Split value less target of each result: time step, sampling, mesh, numbers of the deck, and what is left.
 
     ID is an id, or the path of a case folder. For published columns: which reading of states gives their digits.
     """

@@ -12,8 +12,8 @@ from vmharness.report.section import Figure, Section, Table
 
 HOW = (
     "Value less target, in percent of the tolerance, cause by cause: time step and sampling from runs with half and a "
-    "quarter of the step, read at the instants of this one and more finely; the digits of the deck from a run with all "
-    "those of the data; a mesh from what its refinement converges to. What is left is unexplained; ± is what the "
+    "quarter of the step, read at the instants of this one and more finely; the numbers of the deck from a run with "
+    "all those of the data; a mesh from what its refinement converges to. What is left is unexplained; ± is what the "
     "causes leave open."
 )
 
@@ -26,9 +26,37 @@ def section(content: bytes, case: Case) -> Section:
         summary(found),
         text=[HOW, *(text for column in found.columns for text in _column_text(column, case))],
         tables=tables(found),
-        figures=_figures(found),
         remarks=remarks(found),
     )
+
+
+def figures(content: bytes) -> list[Figure]:
+    """Bars of the parts: of the results, and of each column that a solver gave."""
+    found = msgspec.json.decode(content, type=Explanation)
+    bars = {
+        one.key: {part.cause: _percent_of(one, part.value, True) for part in one.parts}
+        for one in found.results
+    }
+    drawn = [
+        Figure(
+            "explained",
+            "Value less target, cause by cause, in percent of the tolerance; diamonds: the whole difference",
+            stacked.draw(f"{found.case}-explained", bars, _causes(found.results), "Percent of the tolerance"),
+        )
+    ]
+    for number, column in enumerate(found.columns, 1):
+        if column.kind == "computed":
+            bars = {
+                one.key: {part.cause: _percent_of(one, part.value, False) for part in one.parts}
+                for one in column.results
+            }
+            name = f"explained-{number}"
+            caption = f"{column.name} less target, cause by cause, in percent of the target"
+            picture = stacked.draw(
+                f"{found.case}-{name}", bars, _causes(column.results), "Percent of the target"
+            )
+            drawn.append(Figure(name, caption, picture))
+    return drawn
 
 
 def summary(found: Explanation) -> str:
@@ -66,33 +94,6 @@ def _table(results: Sequence[Explained], value: str) -> Table:
     return Table(head, rows)
 
 
-def _figures(found: Explanation) -> list[Figure]:
-    bars = {
-        one.key: {part.cause: _percent_of(one, part.value, True) for part in one.parts}
-        for one in found.results
-    }
-    drawn = [
-        Figure(
-            "explained",
-            "Value less target, cause by cause, in percent of the tolerance; diamonds: the whole difference",
-            stacked.draw(f"{found.case}-explained", bars, _causes(found.results), "Percent of the tolerance"),
-        )
-    ]
-    for number, column in enumerate(found.columns, 1):
-        if column.kind == "computed":
-            bars = {
-                one.key: {part.cause: _percent_of(one, part.value, False) for part in one.parts}
-                for one in column.results
-            }
-            name = f"explained-{number}"
-            caption = f"{column.name} less target, cause by cause, in percent of the target"
-            picture = stacked.draw(
-                f"{found.case}-{name}", bars, _causes(column.results), "Percent of the target"
-            )
-            drawn.append(Figure(name, caption, picture))
-    return drawn
-
-
 def _column_text(column: Column, case: Case) -> list[str]:
     """What a published column seems to be."""
     count = f"{len(column.same)} of {len(column.results)} figures"
@@ -119,7 +120,7 @@ def _share(one: Explained, value: float) -> float:
 
 
 def _percent_of(one: Explained, value: float, own: bool) -> float:
-    whole = one.allowed if own else abs(one.target)
+    whole = one.allowed if own else one.target
     return 100.0 * value / whole if whole else 0.0
 
 
