@@ -114,5 +114,5 @@ def test_the_section_of_the_page(case):
 
 
 def test_a_case_that_declares_no_region_says_so():
-    with pytest.raises(CaseError, match=r"VM-156: has no \[sweep\]"):
-        points(read(BALL.parent / "VM-156"), 5, 0, None)
+    with pytest.raises(CaseError, match=r"VM-182: has no \[sweep\]"):
+        points(read(BALL.parent / "VM-182"), 5, 0, None)

@@ -41,7 +41,7 @@ class Variant:
         what = [
             solver,
             sources(),
-            _files(case.folder),
+            _files(case),
             dict(case.given),
             case.deck_parameters(),
             case.deck_text,
@@ -62,11 +62,15 @@ def sources() -> str:
     return _digest(package, kept) + folder().name
 
 
-@cache
-def _files(folder: Path) -> str:
-    """A hash of the case's files, without prose and pictures."""
-    paths = [path.relative_to(folder) for path in folder.rglob("*") if path.is_file()]
-    return _digest(folder, sorted(path for path in paths if path.suffix not in PROSE))
+def _files(case: "Case") -> list[str]:
+    """Hashes of the case's files, without prose and pictures, and of those elsewhere that its deck may include."""
+    paths = [path.relative_to(case.folder) for path in case.folder.rglob("*") if path.is_file()]
+    own = _digest(case.folder, sorted(path for path in paths if path.suffix not in PROSE))
+    if not case.file.deck.include_outside:
+        return [own]
+    from vmharness.backends.builtin import read_deck
+
+    return [own, *read_deck(case).files.values()]
 
 
 def _digest(folder: Path, paths: list[Path]) -> str:
