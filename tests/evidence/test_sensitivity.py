@@ -62,6 +62,12 @@ def test_only_the_length_of_the_run_is_no_part_of_the_problem():
     assert smallest_seen(sensitivities(bar)["L"]) is None
 
 
+def test_the_mesh_of_a_template_is_part_of_the_problem():
+    bar = read(CASES / "D-37")
+    assert in_deck(bar, "L")
+    assert in_deck(bar, "n")
+
+
 def test_a_jump_has_no_derivative():
     assert derivative([float(x > 1.0) for x in POINTS]) is None
     assert derivative([x**-2.0 for x in POINTS]) == pytest.approx(-2.0, rel=1e-12)
