@@ -37,7 +37,7 @@ def judge(case: Case, solution: Solution) -> CaseRun:
         events=events,
         readings=readings(case, solution.history) if solution.history and not solution.failure else {},
         deck_sha256=_sha256(solution.resolved_deck.encode() or case.deck_path.read_bytes()),
-        case_sha256=_sha256((case.folder / "case.toml").read_bytes()),
+        case_sha256=case.sha256,
         seconds=solution.seconds,
     )
 

@@ -319,5 +319,5 @@ def test_sensitivity_tells_what_moves_what_and_from_where_on_it_is_seen(good, tm
     assert set(table) == {"m", "k", "h", "g"}
     assert (table["h"]["t_impact"], table["g"]["t_impact"]) == ("0.5", "-0.5")
     assert table["g"]["Seen in the deck from"] == "0.0001 %, by t_impact"
-    assert "No target depends on E, nu, L, dt." in markdown
+    assert "No target depends on E, nu, L, rho, dt." in markdown
     assert "<h2>Sensitivity</h2>" in html

@@ -1,6 +1,8 @@
 from dataclasses import dataclass
 
-from vmharness import report
+import pytest
+
+from vmharness import dropins, report
 from vmharness.report import section
 from vmharness.report.section import Figure, Section, Table
 
@@ -8,37 +10,41 @@ from vmharness.report.section import Figure, Section, Table
 @dataclass
 class Record:
     orders: dict[str, float]
+    case_sha256: str | None = None
 
 
-class Module:
-    """A study as one of report/studies."""
+class Study:
+    """As a module of report/studies."""
 
     @staticmethod
     def section(content, case):
         assert b'"z_peak": 2.0' in content
         table = Table(["Result", "Order"], [["z_peak | a", "-2.0"]])
-        return Section(
-            "Kept",
-            "order 2",
-            ["Some <text>."],
-            [table],
-            [Figure("kept", "A chart", "<svg>1</svg>")],
-            ["A remark"],
-        )
+        return Section("Kept", "order 2", ["Some <text>."], [table], remarks=["A remark"])
+
+    @staticmethod
+    def figures(content):
+        return [Figure("kept", "A chart", "<svg>1</svg>")]
 
 
-def test_what_a_study_left_is_on_the_page(good, tmp_path, monkeypatch):
+@pytest.fixture
+def study(monkeypatch):
+    """One study, called kept, in place of those that there are."""
+    names, module = dropins.names, dropins.module
+    monkeypatch.setattr(section.dropins, "names", lambda p: ["kept"] if p == section.STUDIES else names(p))
     monkeypatch.setattr(
-        section.dropins, "names", lambda package: ["kept"] if package == section.STUDIES else real(package)
+        section.dropins, "module", lambda p, name: Study if p == section.STUDIES else module(p, name)
     )
-    monkeypatch.setattr(
-        section.dropins,
-        "module",
-        lambda package, name: Module if name == "kept" else real_module(package, name),
-    )
-    path = section.write(tmp_path, good.case.id, "kept", Record({"z_peak": 2.0}))
+
+
+def left(folder, case, **others):
+    return section.write(folder, case.id, "kept", Record({"z_peak": 2.0}, **others))
+
+
+def test_what_a_study_left_is_on_the_page(good, tmp_path, study):
+    path = left(tmp_path, good.case)
     first = path.read_bytes()
-    assert section.write(tmp_path, good.case.id, "kept", Record({"z_peak": 2.0})).read_bytes() == first
+    assert left(tmp_path, good.case).read_bytes() == first
     report.write_case(good, tmp_path)
     html = (tmp_path / good.case.id / "index.html").read_text()
     assert "<h2>Kept</h2>" in html
@@ -50,9 +56,27 @@ def test_what_a_study_left_is_on_the_page(good, tmp_path, monkeypatch):
     assert (tmp_path / good.case.id / "kept.svg").read_text() == "<svg>1</svg>"
 
 
-real, real_module = section.dropins.names, section.dropins.module
+def test_the_index_says_it_in_a_few_words(good, tmp_path, study, monkeypatch):
+    left(tmp_path, good.case)
+    monkeypatch.setattr(Study, "figures", None)  # the index draws nothing
+    report.write_index([good], tmp_path)
+    assert "| order 2 |" in (tmp_path / "README.md").read_text()
+    assert "order 2</td>" in (tmp_path / "index.html").read_text()
 
 
-def test_a_page_without_studies_has_none(good, tmp_path):
-    report.write_case(good, tmp_path)
-    assert "Convergence" not in (tmp_path / good.case.id / "README.md").read_text()
+def test_a_study_of_another_state_of_the_case_says_so(good, tmp_path, study):
+    left(tmp_path, good.case)
+    assert section.sections(good.case, tmp_path / good.case.id)[0].text == ["Some <text>."]
+    left(tmp_path, good.case, case_sha256="0" * 64)
+    assert section.sections(good.case, tmp_path / good.case.id)[0].text == [section.OLD, "Some <text>."]
+
+
+def test_other_data_than_the_case_s_have_no_studies(good, tmp_path, study):
+    left(tmp_path, good.case)
+    other = good.case.with_given({"k": 2000.0})
+    assert section.sections(other, tmp_path / good.case.id) == []
+
+
+def test_a_record_of_another_version_is_left_out(good, tmp_path):
+    path = section.write(tmp_path, good.case.id, "converge", Record({}))
+    assert section.sections(good.case, path.parents[1]) == []

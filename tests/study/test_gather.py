@@ -1,7 +1,10 @@
+import shutil
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
+from vmharness.case import read
 from vmharness.study import store as kept
 from vmharness.study.gather import gather
 from vmharness.study.measured import Measured
@@ -58,6 +61,32 @@ def test_what_the_outcome_depends_on_is_in_the_key(ball):
     ]
     assert len(set(keys)) == len(keys)
     assert key(case) == Variant(case, "another label").key("builtin")
+
+
+def test_a_file_of_the_case_that_changes_is_in_the_key_unless_it_is_prose(ball, tmp_path):
+    folder = Path(shutil.copytree(ball.folder, tmp_path / "VM-061"))
+    key = Variant(read(folder)).key("builtin")
+    (folder / "README.md").write_text("# Other prose")
+    assert Variant(read(folder)).key("builtin") == key
+    (folder / "deck.k").write_text((folder / "deck.k").read_text() + "$ a comment\n")
+    assert Variant(read(folder)).key("builtin") != key
+
+
+def test_files_elsewhere_that_a_deck_includes_are_in_the_key(ball, tmp_path):
+    folder = Path(shutil.copytree(ball.folder, tmp_path / "VM-061"))
+    (folder / "deck.k").write_text(
+        (folder / "deck.k").read_text().replace("*END", "*INCLUDE\n../more.k\n*END")
+    )
+    toml = (
+        (folder / "case.toml")
+        .read_text()
+        .replace('file = "deck.k"', 'file = "deck.k"\ninclude_outside = true')
+    )
+    (folder / "case.toml").write_text(toml)
+    (tmp_path / "more.k").write_text("*KEYWORD\n*END\n")
+    key = Variant(read(folder)).key("builtin")
+    (tmp_path / "more.k").write_text("*KEYWORD\n$ more\n*END\n")
+    assert Variant(read(folder)).key("builtin") != key
 
 
 def test_an_outcome_that_cannot_be_read_is_not_there(store):

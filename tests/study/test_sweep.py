@@ -29,7 +29,7 @@ def planned(case, **changes):
     return replace(case, file=msgspec.structs.replace(case.file, sweep=plan))
 
 
-def gathered(variants):
+def gathered(variants, what):
     return [measured(run(variant.case, backend("builtin"))) for variant in variants]
 
 
@@ -108,11 +108,11 @@ def test_the_section_of_the_page(case):
     found = study(loose(case), 3)
     section = page.section(msgspec.json.encode(found), case)
     assert section.summary.startswith("3 of 3 points, ")
-    assert section.figures[0].svg.startswith("<svg")
+    assert page.figures(msgspec.json.encode(found))[0].svg.startswith("<svg")
     assert section.tables[0].head[:3] == ["Result", "Failed", "Worst share"]
     assert "k from 1000 to 4000 lbf/in" in section.text[0]
 
 
 def test_a_case_that_declares_no_region_says_so():
-    with pytest.raises(CaseError, match=r"VM-156: has no \[sweep\]"):
-        points(read(BALL.parent / "VM-156"), 5, 0, None)
+    with pytest.raises(CaseError, match=r"VM-182: has no \[sweep\]"):
+        points(read(BALL.parent / "VM-182"), 5, 0, None)

@@ -1,5 +1,6 @@
 """A case: its file, and the numbers that follow from its data."""
 
+import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -7,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from vmharness.case.decode import FILE
 from vmharness.case.error import CaseError
 from vmharness.case.format import CaseFile, Published, Result
 from vmharness.case.template import SUFFIX, render
@@ -63,6 +65,11 @@ class Case:
         if self.deck_text or not self.file.deck.file.endswith(SUFFIX):
             return self.deck_text
         return render(self.deck_path, {name: self.evaluate(f"mesh {name}") for name in self.file.deck.mesh})
+
+    @property
+    def sha256(self) -> str:
+        """Of case.toml as it lies in the folder."""
+        return hashlib.sha256((self.folder / FILE).read_bytes()).hexdigest()
 
     @property
     def published(self) -> list[Published]:

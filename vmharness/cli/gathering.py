@@ -13,10 +13,15 @@ if TYPE_CHECKING:
     from vmharness.study.gather import Plant
     from vmharness.study.measured import Measured
     from vmharness.study.variant import Variant
+    from vmharness.suite.pool import Pool
 
 
 def gathered(
-    variants: Sequence["Variant"], how: How, what: str, plant: "Plant | None" = None
+    variants: Sequence["Variant"],
+    how: How,
+    what: str,
+    plant: "Plant | None" = None,
+    workers: "Pool | None" = None,
 ) -> list["Measured"]:
     """The outcome of every variant, in their order, while a terminal shows how far `what` is.
 
@@ -29,7 +34,7 @@ def gathered(
     found: dict[int, Measured] = {}
     try:
         with _bar(what, len(variants)) as bar:
-            for number, event in gather(variants, how.jobs, how.timeout, how.solver, plant):
+            for number, event in gather(variants, how.jobs, how.timeout, how.solver, plant, workers):
                 if isinstance(event, Measured):
                     found[number] = event
                     bar(number, 1.0)

@@ -34,6 +34,7 @@ class Detection:
     """All that was planted in one case."""
 
     case: str
+    case_sha256: str
     solver: str
     findings: list[Finding] = field(default_factory=list)
 

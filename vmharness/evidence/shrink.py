@@ -6,42 +6,52 @@ from vmharness.evidence.sample import DIGITS, Point, rounded
 
 Fails = Callable[[Sequence[Point]], Sequence[bool]]
 
-ROUNDS = 40  # batches of attempts at most
+ROUNDS = 40  # steps at most
 
 
 def shrink(point: Point, own: Mapping[str, float], fails: Fails) -> Point:
     """The data that still differ from the case's `own`, after each step that `fails` lets pass has been taken.
 
-    Every round asks for all that could be done next at once, and does the first that still fails: first a datum back to
-    its own value, then fewer digits of one, then one half-way back.
+    A step is a datum back to its own value; where none can go back, fewer digits of one; else one half-way back. All
+    steps of a kind are asked for at once, and the first that still fails is taken.
     """
     found = {name: value for name, value in point.items() if value != own[name]}
     for _ in range(ROUNDS):
-        attempts = [attempt for attempt in _simpler(found, own) if attempt != found]
-        if not attempts:
+        step = next(filter(None, (_first(kind(found, own), fails) for kind in KINDS)), None)
+        if step is None:
             return found
-        still = fails(attempts)
-        if not any(still):
-            return found
-        found = next(attempt for attempt, fail in zip(attempts, still, strict=True) if fail)
+        found = step
     return found
 
 
-def _simpler(point: Point, own: Mapping[str, float]) -> list[Point]:
-    """What to try, the simplest first."""
-    without = [{k: v for k, v in point.items() if k != name} for name in point] if len(point) > 1 else []
-    short = [
-        {**point, name: rounded(value, digits)}
+def _first(attempts: Sequence[Point], fails: Fails) -> Point | None:
+    """The first attempt that fails."""
+    still = fails(attempts) if attempts else ()
+    return next((attempt for attempt, fail in zip(attempts, still, strict=True) if fail), None)
+
+
+def _without(point: Point, own: Mapping[str, float]) -> list[Point]:
+    """One datum less, as long as one is left."""
+    return [{k: v for k, v in point.items() if k != name} for name in point] if len(point) > 1 else []
+
+
+def _shorter(point: Point, own: Mapping[str, float]) -> list[Point]:
+    """One datum with fewer digits, the fewest first."""
+    return [
+        {**point, name: short}
         for name, value in point.items()
         for digits in range(1, DIGITS)
-        if rounded(value, digits) != value and rounded(value, digits) != own[name]
+        if (short := rounded(value, digits)) not in (value, own[name])
     ]
-    nearer = [
+
+
+def _nearer(point: Point, own: Mapping[str, float]) -> list[Point]:
+    """One datum half-way back."""
+    return [
         {**point, name: half}
         for name, value in point.items()
         if (half := _half_way(value, own[name])) not in (value, own[name])
     ]
-    return [*without, *short, *nearer]
 
 
 def _half_way(value: float, own: float) -> float:
@@ -49,3 +59,6 @@ def _half_way(value: float, own: float) -> float:
     if abs(value - own) <= 0.1 * abs(own):
         return value
     return rounded(0.5 * (value + own), 2)
+
+
+KINDS = (_without, _shorter, _nearer)

@@ -38,8 +38,14 @@ def write_case(run: CaseRun, folder: Path, volatile: bool = True, indexed: bool 
 def write_index(runs: list[CaseRun], folder: Path, unrun: Sequence[Unrun] = ()) -> list[Path]:
     """Write the index over `runs`, and the cases without one, into `folder` in every format; raises OSError."""
     from vmharness.report.index import index
+    from vmharness.report.section import sections
+    from vmharness.report.studies import faults
 
-    content = index(runs, unrun)
+    studies = {
+        run.case.id: [section.summary for section in sections(run.case, folder / run.case.id, drawn=False)]
+        for run in runs
+    }
+    content = index(runs, unrun, studies, faults.manual([run.case for run in runs], folder))
     texts = {folder / form.FILE: form.index(content) for form in dropins.modules(PAGES)}
     return [atomic.write(path, text) for path, text in texts.items()]
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from vmharness.compare import Verdict
 from vmharness.report.page import worst_row
+from vmharness.report.section import Section
 from vmharness.report.solver import short_name
 from vmharness.result import CaseRun, Row, Unrun
 
@@ -18,6 +19,7 @@ class Line:
     run: CaseRun
     worst: Row | None
     passed: int  # how many of its results
+    studies: Sequence[str] = ()  # what studies found, in a few words each
 
 
 @dataclass(frozen=True)
@@ -30,23 +32,33 @@ class Index:
     ]  # by solver, without its version: errors, failures, then the thinnest margin
     coverage: Mapping[str, list[CaseRun]]  # by tag
     counts: Mapping[Verdict, int]  # a case without a run is an error
+    detection: Section | None = None  # what all cases together notice of planted faults
 
 
-def index(runs: Sequence[CaseRun], unrun: Sequence[Unrun]) -> Index:
-    """Order the runs for the index; the cases without one come before them."""
+def index(
+    runs: Sequence[CaseRun],
+    unrun: Sequence[Unrun],
+    studies: Mapping[str, Sequence[str]],
+    detection: Section | None = None,
+) -> Index:
+    """Order the runs for the index; the cases without one come before them. `studies` are by case."""
     solvers: dict[str, list[Line]] = {}
     coverage: dict[str, list[CaseRun]] = {}
     for run in sorted(runs, key=_badness):
         passed = sum(row.verdict is Verdict.PASS for row in run.rows)
         # The margin of what was judged says nothing about a run that was not.
         worst = None if run.verdict is Verdict.ERROR else worst_row(run)
-        solvers.setdefault(short_name(run.solution.solver), []).append(Line(run, worst, passed))
+        solvers.setdefault(short_name(run.solution.solver), []).append(
+            Line(run, worst, passed, studies.get(run.case.id, ()))
+        )
     for run in sorted(runs, key=lambda run: run.case.id):
         for tag in run.case.file.tags:
             coverage.setdefault(tag, []).append(run)
     counts = {verdict: sum(run.verdict is verdict for run in runs) for verdict in Verdict}
     counts[Verdict.ERROR] += len(unrun)
-    return Index(sorted(unrun, key=lambda case: case.id), solvers, dict(sorted(coverage.items())), counts)
+    return Index(
+        sorted(unrun, key=lambda case: case.id), solvers, dict(sorted(coverage.items())), counts, detection
+    )
 
 
 def _badness(run: CaseRun) -> tuple[int, float, str]:

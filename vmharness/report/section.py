@@ -1,8 +1,10 @@
 """What a study leaves beside a case's page, and how the page shows it."""
 
+import contextlib
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import msgspec
@@ -11,6 +13,7 @@ from vmharness import dropins
 from vmharness.case import Case
 from vmharness.report import atomic
 
+OLD = "The case was changed after this study: it is of an earlier state."
 STUDIES = "vmharness.report.studies"
 FOLDER = "studies"
 
@@ -51,17 +54,30 @@ def write(root: Path, case: str, name: str, record: Any) -> Path:
     return atomic.write(root / case / FOLDER / f"{name}.json", content.decode() + "\n")
 
 
-def sections(case: Case, folder: Path) -> list[Section]:
+def sections(case: Case, folder: Path, drawn: bool = True) -> list[Section]:
     """What the studies left in `folder`, where the page of the case lies; nothing for other data than the case's.
 
-    A record that cannot be read, because it is of another version, is left out.
+    A record that cannot be read, because it is of another version, is left out; drawings are unless `drawn`.
     """
     found = []
     for name in [] if case.changed else dropins.names(STUDIES):
         path = folder / FOLDER / f"{name}.json"
         if path.is_file():
-            try:
-                found.append(dropins.module(STUDIES, name).section(path.read_bytes(), case))
-            except msgspec.MsgspecError:
-                continue
+            with contextlib.suppress(msgspec.MsgspecError):
+                found.append(_section(dropins.module(STUDIES, name), path.read_bytes(), case, drawn))
     return found
+
+
+def _section(study: ModuleType, content: bytes, case: Case, drawn: bool) -> Section:
+    section: Section = study.section(content, case)
+    if drawn and hasattr(study, "figures"):
+        section = replace(section, figures=[*section.figures, *study.figures(content)])
+    if _is_old(content, case):
+        section = replace(section, text=[OLD, *section.text])
+    return section
+
+
+def _is_old(content: bytes, case: Case) -> bool:
+    """The case has changed since the study, as far as its file shows."""
+    known = msgspec.json.decode(content).get("case_sha256")
+    return known is not None and known != case.sha256

@@ -1,6 +1,5 @@
 """The levels of a refinement as variants of a case, and the record of what they gave."""
 
-import hashlib
 from collections.abc import Sequence
 
 from vmharness.case import Case, CaseError
@@ -44,7 +43,7 @@ def convergence(case: Case, outcomes: Sequence[Measured], solver: str) -> Conver
     dimension = case.formulas["converge size"].dimension({**case.dimensions, "N": Unit("").dimension})
     return Convergence(
         case=case.id,
-        case_sha256=hashlib.sha256((case.folder / "case.toml").read_bytes()).hexdigest(),
+        case_sha256=case.sha256,
         solver=solver,
         refined=plan.refined,
         size=plan.size,

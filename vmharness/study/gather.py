@@ -1,6 +1,7 @@
 """Many variants through the solver, in worker processes that each serve many of them."""
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack
 
 from vmharness.study import store
 from vmharness.study.measured import Measured, measured
@@ -19,12 +20,14 @@ def gather(
     timeout: float = 600.0,
     solver: str = "builtin",
     plant: Plant | None = None,
+    workers: Pool | None = None,
 ) -> Iterator[Step]:
     """Yield (number of the variant, Began or Progress or its Measured) until each is Measured, which it is once.
 
     What was run before is read from disk, and kept there as soon as it is known: interrupt, and begin again where it
     ended. Variants that are alike run once. A crash or a time limit is a failure of that variant alone. Variants with a
     `fault` run in processes of their own, in which `plant(fault)` comes before the solver is imported.
+    Those without one run in `workers`, as `pool` makes them, if they are given: to begin again and again costs seconds.
     """
     waiting: dict[str, list[int]] = {}
     for number, variant in enumerate(variants):
@@ -36,10 +39,17 @@ def gather(
     for fault in dict.fromkeys(variants[numbers[0]].fault for numbers in waiting.values()):
         keys = [key for key, numbers in waiting.items() if variants[numbers[0]].fault == fault]
         tasks = [variants[waiting[key][0]] for key in keys]
-        with Pool(min(jobs, len(tasks)), serving, solver, fault, plant) as pool:
-            for task, message in _outcomes(pool, tasks, keys, timeout):
+        with ExitStack() as stack:
+            own = workers if workers and not fault else None
+            at_work = own or stack.enter_context(Pool(min(jobs, len(tasks)), serving, solver, fault, plant))
+            for task, message in _outcomes(at_work, tasks, keys, timeout):
                 for number in waiting[keys[task]]:
                     yield number, message
+
+
+def pool(jobs: int, solver: str) -> Pool:
+    """Workers for one `gather` after the other, to be left as a context."""
+    return Pool(jobs, serving, solver, "", None)
 
 
 def serving(solver: str, fault: str, plant: Plant | None) -> Work:
@@ -57,7 +67,7 @@ def serving(solver: str, fault: str, plant: Plant | None) -> Work:
     solves = backend(solver)
 
     def work(variant: Variant, progress: Report) -> Measured:
-        return measured(run(variant.case, solves, progress))
+        return measured(run(variant.case, solves, progress), variant.strides)
 
     return work
 

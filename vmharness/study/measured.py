@@ -2,6 +2,7 @@
 
 import hashlib
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -36,6 +37,7 @@ class Measured:
     cycles: int = 0
     seconds: float = 0.0
     history_sha256: str = ""  # equal where every channel is the same to the last bit
+    thinned: dict[int, dict[str, list[float | None]]] = field(default_factory=dict)  # by stride: see phases()
     cached: bool = False  # found on disk, and not run
 
     @property
@@ -56,9 +58,12 @@ class Measured:
         return max(shares.items(), key=lambda item: item[1], default=None)
 
 
-def measured(run: "CaseRun") -> Measured:
-    """What is kept of a run."""
+def measured(run: "CaseRun", strides: Sequence[int] = ()) -> Measured:
+    """What is kept of a run, with its results as read from every n-th sample for each n of `strides`."""
+    from vmharness.evidence.thinning import phases
+
     solution = run.solution
+    fine = solution.history if solution.history is not None and not solution.failure else None
     return Measured(
         results={row.key: _value(row) for row in run.rows},
         events={name: None if isinstance(event, str) else event.time for name, event in run.events.items()},
@@ -66,6 +71,7 @@ def measured(run: "CaseRun") -> Measured:
         cycles=solution.cycles,
         seconds=run.seconds,
         history_sha256=_sha256(solution.history) if solution.history else "",
+        thinned={n: phases(run.case, fine, n) for n in strides} if fine else {},
     )
 
 

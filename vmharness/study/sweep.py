@@ -1,6 +1,5 @@
 """Points of a sweep as variants of a case, and the record of what they gave."""
 
-import hashlib
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
@@ -14,7 +13,8 @@ from vmharness.study.measured import Measured
 from vmharness.study.variant import Variant
 from vmharness.suite.settings import as_options, with_settings
 
-Gather = Callable[[Sequence[Variant]], Sequence[Measured]]
+SIMPLER = "simpler points that might fail"
+Gather = Callable[[Sequence[Variant], str], Sequence[Measured]]  # of variants, and what they are for
 
 
 def points(case: Case, count: int | None, seed: int, grid: int | None) -> tuple[list[Point], str]:
@@ -38,16 +38,16 @@ def points(case: Case, count: int | None, seed: int, grid: int | None) -> tuple[
 def swept(case: Case, found: Sequence[Point], how: str, gather: Gather, solver: str) -> Swept:
     """The record of the points' outcomes, with the worst failing one shrunk; `gather` runs variants."""
     plan = plan_of(case)
-    outcomes = measure(case, found, gather)
+    outcomes = measure(case, found, gather, "sweep")
     labels = {result.key: result.label for result in case.file.results}
     record = Swept(
         case=case.id,
-        case_sha256=hashlib.sha256((case.folder / "case.toml").read_bytes()).hexdigest(),
+        case_sha256=case.sha256,
         solver=solver,
         how=how,
         ranges=dict(plan.ranges),
         units={name: case.file.given[name].unit for name in plan.ranges},
-        within=[f"{each.low:g} <= {each.formula} <= {each.high:g}: {each.because}" for each in plan.within],
+        within=[f"{each.low:g} ≤ {each.formula} ≤ {each.high:g}: {each.because}" for each in plan.within],
         data={name: [point[name] for point in found] for name in plan.ranges},
         shares={key: [_share(outcome, key) for outcome in outcomes] for key in labels},
         results=[_worst(key, label, found, outcomes) for key, label in labels.items()],
@@ -57,7 +57,7 @@ def swept(case: Case, found: Sequence[Point], how: str, gather: Gather, solver: 
     return replace(record, failing=_shrunk(case, record, found, gather)) if record.failed else record
 
 
-def measure(case: Case, found: Sequence[Point], gather: Gather) -> list[Measured]:
+def measure(case: Case, found: Sequence[Point], gather: Gather, what: str) -> list[Measured]:
     """The outcome at each point; where theory has no value, that is the failure."""
     variants: dict[int, Variant] = {}
     outcomes: dict[int, Measured] = {}
@@ -66,7 +66,7 @@ def measure(case: Case, found: Sequence[Point], gather: Gather) -> list[Measured
             variants[number] = Variant(with_settings(case, settings(case, point)))
         except CaseError as error:
             outcomes[number] = Measured(failure=str(error))
-    outcomes |= dict(zip(variants, gather(list(variants.values())), strict=True))
+    outcomes |= dict(zip(variants, gather(list(variants.values()), what), strict=True))
     return [outcomes[number] for number in range(len(found))]
 
 
@@ -122,11 +122,12 @@ def _shrunk(case: Case, record: Swept, found: Sequence[Point], gather: Gather) -
 
     def fails(attempts: Sequence[Point]) -> list[bool]:
         kept = [_accepted(case, plan, attempt) for attempt in attempts]
-        outcomes = iter(measure(case, [a for a, keep in zip(attempts, kept, strict=True) if keep], gather))
+        tried = [attempt for attempt, keep in zip(attempts, kept, strict=True) if keep]
+        outcomes = iter(measure(case, tried, gather, SIMPLER))
         return [keep and _fails(next(outcomes), key) for keep in kept]
 
     simpler = shrink(found[worst], {name: case.datum(name) for name in found[worst]}, fails)
-    (last,) = measure(case, [simpler], gather)
+    (last,) = measure(case, [simpler], gather, SIMPLER)
     again = f"vm run {case.id} {as_options(settings(case, simpler))}"
     return Failing(dict(found[worst]), simpler, f"{key}: {last.results[key].reason}", again)
 

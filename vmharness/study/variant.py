@@ -27,12 +27,13 @@ class Variant:
     """A case to run: with other data (`Case.with_given`), another deck (`Case.with_deck`), or a fault in the solver.
 
     `fault` names a planted fault of the solver's own, and must be another where that has changed; variants with one
-    never share a process with others.
+    never share a process with others. `strides`: which samples alone the results are read from, too, every 2nd, ...
     """
 
     case: "Case"
     label: str = ""
     fault: str = ""
+    strides: tuple[int, ...] = ()
 
     def key(self, solver: str) -> str:
         """A hash of all that the outcome depends on: case, data, deck, solver and its sources, fault."""
@@ -40,11 +41,12 @@ class Variant:
         what = [
             solver,
             sources(),
-            _files(case.folder),
+            _files(case),
             dict(case.given),
             case.deck_parameters(),
             case.deck_text,
             self.fault,
+            self.strides,
         ]
         return hashlib.sha256(json.dumps(what, sort_keys=True).encode()).hexdigest()
 
@@ -60,11 +62,15 @@ def sources() -> str:
     return _digest(package, kept) + folder().name
 
 
-@cache
-def _files(folder: Path) -> str:
-    """A hash of the case's files, without prose and pictures."""
-    paths = [path.relative_to(folder) for path in folder.rglob("*") if path.is_file()]
-    return _digest(folder, sorted(path for path in paths if path.suffix not in PROSE))
+def _files(case: "Case") -> list[str]:
+    """Hashes of the case's files, without prose and pictures, and of those elsewhere that its deck may include."""
+    paths = [path.relative_to(case.folder) for path in case.folder.rglob("*") if path.is_file()]
+    own = _digest(case.folder, sorted(path for path in paths if path.suffix not in PROSE))
+    if not case.file.deck.include_outside:
+        return [own]
+    from vmharness.backends.builtin import read_deck
+
+    return [own, *read_deck(case).files.values()]
 
 
 def _digest(folder: Path, paths: list[Path]) -> str:

@@ -36,6 +36,7 @@ def command(
     from vmharness.case import CaseError
     from vmharness.report.studies.sweep import plan, remarks, tables, verdict
     from vmharness.study import sweep
+    from vmharness.study.gather import pool
 
     if points is not None and grid is not None:
         raise click.UsageError("--points and --grid do not go together")
@@ -45,9 +46,14 @@ def command(
     except CaseError as error:
         complain(str(error))
         return EXIT_CODES[Status.BROKEN]
-    found = sweep.swept(
-        case, chosen, words, lambda variants: gathered(variants, how, f"sweep {case.id}"), how.solver
-    )
+    with pool(how.jobs, how.solver) as workers:
+        found = sweep.swept(
+            case,
+            chosen,
+            words,
+            lambda variants, what: gathered(variants, how, f"{case.id}: {what}", workers=workers),
+            how.solver,
+        )
     for table in tables(found):
         say_rows(table)
     for sentence in (plan(found), verdict(found), *remarks(found)):

@@ -4,5 +4,9 @@ The study `converge` leaves studies/converge.json beside the page. The module of
 
     section(content, case) -> Section
 
-which makes of the file's bytes what the page shows.
+which makes of the file's bytes what the page shows, and its `summary` what the index shows; a study with drawings has
+
+    figures(content) -> list[Figure]
+
+too, which the index does without.
 """

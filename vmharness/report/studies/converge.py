@@ -25,15 +25,22 @@ MEANINGS = {
 def section(content: bytes, case: Case) -> Section:
     """The section for the record of `vm converge`."""
     found = msgspec.json.decode(content, type=Convergence)
-    caption = "Distance of the results from theory over the size; dashed: the promised order"
     return Section(
         "Convergence",
         summary(found),
         text=_text(found),
         tables=tables(found),
-        figures=[Figure("convergence", caption, _drawing(found))],
         remarks=remarks(found),
     )
+
+
+def figures(content: bytes) -> list[Figure]:
+    """Distance from theory over the size."""
+    from vmharness.report.figures import refinement
+
+    found = msgspec.json.decode(content, type=Convergence)
+    caption = "Distance of the results from theory over the size; dashed: the promised order"
+    return [Figure("convergence", caption, refinement.draw(found))]
 
 
 def plan(found: Convergence) -> str:
@@ -77,14 +84,8 @@ def _text(found: Convergence) -> list[str]:
         f"{plan(found)} Promised orders: {found.because}.",
         "The order is that of the three finest levels, and its uncertainty the largest distance of the order of "
         "another three in a row. Extrapolated is Richardson's value for a size of zero; GCI is Roache's grid "
-        f"convergence index, with a safety factor of {SAFETY:g}: theory should lie no further from the former.",
+        f"convergence index, with a safety factor of {SAFETY:g}: theory should lie so near what is extrapolated.",
     ]
-
-
-def _drawing(found: Convergence) -> str:
-    from vmharness.report.figures import refinement
-
-    return refinement.draw(found)
 
 
 def _row(result: Refined) -> list[str]:

@@ -1,14 +1,17 @@
 """Faults: what a case's results noticed of all that was planted."""
 
+import contextlib
 from collections.abc import Sequence
+from pathlib import Path
 
 import msgspec
 
 from vmharness.case import Case
 from vmharness.evidence.detection import Coverage, Detection, Finding, Noticed, coverage
 from vmharness.report.number import DASH, share
-from vmharness.report.section import Section, Table
+from vmharness.report.section import FOLDER, Section, Table
 
+FILE = "faults.json"
 KINDS = {
     "deck": "in the deck",
     "physics": "in the solver's physics",
@@ -47,8 +50,21 @@ def cell(finding: Finding | None) -> str:
     return f"{sign} {share(finding.share) if finding.share is not None else 'no result'}"
 
 
-def manual(detections: Sequence[Detection]) -> Section:
-    """What all cases together notice of the faults of the solver: the matrix, and what none of them catches."""
+def manual(cases: Sequence[Case], root: Path) -> Section | None:
+    """What all cases studied notice of the faults of the solver: the matrix, and what none of them catches.
+
+    None where no record of `vm faults` lies beside the pages below `root`.
+    """
+    paths = [root / case.id / FOLDER / FILE for case in sorted(cases, key=lambda case: case.id)]
+    detections = []
+    for path in paths:
+        with contextlib.suppress(OSError, msgspec.MsgspecError):
+            detections.append(msgspec.json.decode(path.read_bytes(), type=Detection))
+    return together(detections) if detections else None
+
+
+def together(detections: Sequence[Detection]) -> Section:
+    """The section of the index."""
     found = coverage(detections)
     text = [
         f"Faults are planted in the solver, one at a time. Of {len(found.matrix)}, {found.caught} are caught by a "
@@ -83,7 +99,7 @@ def _parameters(found: Detection) -> Table:
     changes: dict[str, dict[str, Finding]] = {}
     for finding in found.findings:
         name, _, how = finding.fault.partition(" ")
-        if finding.kind == "deck" and name.isidentifier() and name.isupper():
+        if finding.kind == "deck" and not finding.fault.endswith("missing"):
             changes.setdefault(name, {})[how] = finding
     columns = list(next(iter(changes.values()), {}))
     rows = [[name, *(cell(row.get(how)) for how in columns)] for name, row in changes.items()]

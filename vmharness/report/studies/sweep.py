@@ -10,28 +10,35 @@ from vmharness.report.section import Figure, Section, Table
 
 def section(content: bytes, case: Case) -> Section:
     """The section for the record of `vm sweep`."""
-    from vmharness.report.figures import scatter
-
     found = msgspec.json.decode(content, type=Swept)
-    caption = "Largest share of a tolerance that a result uses, over each datum; filled: out of tolerance"
     return Section(
         "Sweep over the given data",
         summary(found),
         text=[plan(found), verdict(found)],
         tables=tables(found),
-        figures=[Figure("sweep", caption, scatter.draw(found))],
         remarks=remarks(found),
     )
+
+
+def figures(content: bytes) -> list[Figure]:
+    """Shares of tolerances over each datum."""
+    from vmharness.report.figures import scatter
+
+    found = msgspec.json.decode(content, type=Swept)
+    caption = (
+        "Largest share of a tolerance that a result uses at each point, over each datum; large: out of it"
+    )
+    return [Figure("sweep", caption, scatter.draw(found))]
 
 
 def plan(found: Swept) -> str:
     """Where the points lie."""
     ranges = [
-        f"{name} from {low:g} to {high:g} {found.units[name]}".rstrip()
+        f"{name} from {number.given(low)} to {number.given(high)} {found.units[name]}".rstrip()
         for name, (low, high) in found.ranges.items()
     ]
     held = "".join(f" Held: {sentence}." for sentence in found.within)
-    return f"{found.how}, over {', '.join(ranges)}.{held}"
+    return f"{found.how}, over {'; '.join(ranges)}.{held}"
 
 
 def verdict(found: Swept) -> str:
@@ -68,5 +75,5 @@ def remarks(found: Swept) -> list[str]:
 
 def _row(found: Swept, result: Worst) -> list[str]:
     at = [number.short(result.at.get(name)) for name in found.ranges]
-    error = number.decimals(None if result.error is None else 100.0 * result.error, 5)
+    error = number.positional(None if result.error is None else 100.0 * result.error, 2)
     return [result.key, str(result.failed), number.share(result.share), error, *at]

@@ -1,0 +1,83 @@
+"""`vm faults` and `vm explain`: what they say, what they leave for the page, their exit codes."""
+
+import json
+
+import pytest
+
+from vmharness.study import faults
+
+FEW = ("G +1 %", "RHO +1 %", "half_step_start")
+
+
+def coarse(ball):
+    """VM-061 in steps of 0.1 ms, by its datum."""
+    folder = ball()
+    path = folder / "case.toml"
+    text = path.read_text()
+    assert "rho = { value = 7.3e-4" in text
+    path.write_text(text.replace("rho = { value = 7.3e-4", "rho = { value = 2.5437"))
+
+
+@pytest.fixture
+def few(monkeypatch):
+    """Only a few of the faults are planted."""
+    real = faults.planted
+    monkeypatch.setattr(
+        faults, "planted", lambda case, sound: [one for one in real(case, sound) if one.name in FEW]
+    )
+
+
+def test_faults_are_scored_and_kept_for_the_page(ball, vm, here, few, monkeypatch):
+    monkeypatch.setattr("vmharness.study.store.root", lambda: here / "cache")
+    coarse(ball)
+    code, out, _ = vm("faults", "VM-061", "-j", "1", "--json", "all.json")
+    assert code == 0
+    assert "planted faults: 3 runs" in out
+    assert "No case has anything of jaumann_terms_off" in out
+    record = json.loads((here / "reports" / "VM-061" / "studies" / "faults.json").read_text())
+    by = {one["fault"]: one for one in record["findings"]}
+    assert by["G +1 %"]["noticed"] == "caught"
+    assert by["half_step_start"]["noticed"] == "caught"
+    together = json.loads((here / "all.json").read_text())
+    assert together["cases"] == [record]
+    assert together["coverage"]["matrix"]["half_step_start"]["VM-061"] == by["half_step_start"]
+    code, out, _ = vm("faults", "VM-061", "-j", "1")
+    assert "3 runs, 3 of them from cache" in out
+    assert vm("run", "VM-061")[0] == 0
+    page = (here / "reports" / "VM-061" / "README.md").read_text()
+    assert "## Faults" in page
+    assert "| G |" in page
+    assert "| The first velocity is taken a whole step, not half a step, from the start |" in page
+
+
+def test_a_case_that_fails_has_no_score(ball, vm, few):
+    ball(**{"RG            386.0": "RG            387.0"})
+    code, out, err = vm("faults", "VM-061", "-j", "1")
+    assert code == 6
+    assert "VM-061: does not pass without any fault: " in err
+    assert "faults.json" not in out
+
+
+def test_a_difference_is_explained_and_kept_for_the_page(ball, vm, here):
+    coarse(ball)
+    code, out, _ = vm("explain", "VM-061", "-j", "1")
+    assert code == 0
+    assert "numbers of the deck" in out
+    assert "LS-DYNA: states 0.001 s apart" in out
+    record = json.loads((here / "reports" / "VM-061" / "studies" / "explain.json").read_text())
+    peak = next(one for one in record["results"] if one["key"] == "z_peak")
+    parts = {part["cause"]: part["value"] for part in peak["parts"]}
+    assert parts["numbers of the deck"] == pytest.approx(-5.3e-6, rel=0.02)
+    assert vm("run", "VM-061")[0] == 0
+    page = (here / "reports" / "VM-061" / "README.md").read_text()
+    assert "## Where the difference comes from\n" in page
+    assert "LS-DYNA: of all readings tried, states 0.001 s apart" in page
+    assert (here / "reports" / "VM-061" / "explained.svg").read_text().startswith("<svg")
+
+
+def test_what_cannot_be_explained_is_said(ball, vm):
+    assert vm("explain", "VM-999")[0] == 4
+    (ball() / "deck.k").write_text("*KEYWORD\n*END\n")
+    code, _, err = vm("explain", "VM-061", "-j", "1")
+    assert code == 4
+    assert "the run that is to be explained failed" in err

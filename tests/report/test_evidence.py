@@ -1,0 +1,92 @@
+"""The sections of `vm faults` and `vm explain`, and the matrix on the index, from records made by hand."""
+
+import pytest
+
+from vmharness import report
+from vmharness.evidence.detection import Detection, Finding, Noticed
+from vmharness.evidence.explanation import SAMPLING, Column, Explanation, Part, explained
+from vmharness.report import section
+from vmharness.report.studies import faults
+
+
+def detection(case, *findings):
+    return Detection(case.id, case.sha256, "builtin", list(findings))
+
+
+@pytest.fixture
+def planted(good):
+    return detection(
+        good.case,
+        Finding("K +1 %", "In the deck, K +1 %", "deck", Noticed.CAUGHT, "z_peak", 214.0),
+        Finding(
+            "K of the other sign",
+            "In the deck, K of the other sign",
+            "deck",
+            Noticed.CAUGHT,
+            reason="refused",
+        ),
+        Finding("RHO +1 %", "In the deck, RHO +1 %", "deck", Noticed.HARMLESS, "z_peak", 0.3),
+        Finding("lag", "Times are late", "reading", Noticed.MISSED, "t_peak", 0.47),
+        Finding("friction", "Friction pulls", "physics", Noticed.UNSEEN),
+    )
+
+
+def test_faults_are_on_the_page_and_in_the_index(good, planted, tmp_path):
+    section.write(tmp_path, good.case.id, "faults", planted)
+    report.write_case(good, tmp_path)
+    page = (tmp_path / good.case.id / "README.md").read_text()
+    assert "Of 3 planted faults that change this run, 2 are caught" in page
+    assert "Not noticed here: lag." in page
+    assert "| K | ✓ 214 × | ✓ no result |" in page
+    assert "| Times are late | in what is shown or read of it | ✗ 47 % | t_peak |" in page
+    assert "Not applicable, for the run is the same with it: friction." in page
+    assert "without effect on any result, however wrong: RHO." in page
+    report.write_index([good], tmp_path)
+    for name in ("README.md", "index.html"):
+        index = (tmp_path / name).read_text()
+        assert "2 of 3 faults" in index
+        assert "What the cases notice" in index
+        assert "No case catches lag (Times are late); nearest is t_peak, at 47 % of its tolerance." in index
+        assert "No case has anything of friction (Friction pulls)." in index
+
+
+def test_the_matrix_has_a_row_a_fault_and_a_column_a_case(good, planted):
+    found = faults.together([planted, Detection("B", "0", "builtin", [planted.findings[3]])])
+    (table,) = found.tables
+    assert list(table.head) == ["Fault", good.case.id, "B"]
+    assert table.rows == [["Times are late", "✗ 47 %", "✗ 47 %"], ["Friction pulls", "–", "–"]]
+    assert found.summary == "0 of 2"
+
+
+def test_an_index_without_records_has_no_matrix(good, tmp_path):
+    report.write_index([good], tmp_path)
+    assert "What the cases notice" not in (tmp_path / "index.html").read_text()
+
+
+def test_parts_are_shares_of_the_tolerance_and_drawn(good, tmp_path):
+    parts = [Part("time step", 2e-6), Part(SAMPLING, -1e-6, 5e-7)]
+    own = explained("z_peak", "Z", "in", -1.55, -1.549998, 1e-5, parts)
+    read = explained("z_peak", "Z", "in", -1.55, -1.5505, 1e-5, [Part(SAMPLING, -5e-4)])
+    column = Column(
+        "LS-DYNA", "computed", "states 0.001 s apart", [0.002], ["z_peak"], {"ke": "another"}, [read]
+    )
+    target = Column("VM65", "target", "", [], [], {}, [read])
+    record = Explanation(
+        good.case.id, good.case.sha256, "builtin", [own], [column, target], ["the mesh is fixed"]
+    )
+    section.write(tmp_path, good.case.id, "explain", record)
+    report.write_case(good, tmp_path)
+    page = (tmp_path / good.case.id / "README.md").read_text()
+    assert "| z_peak | 20 | 20 | -10 | 10 | 5 |" in page
+    assert (
+        "LS-DYNA: of all readings tried, states 0.001 s apart, gives most of it: 1 of 1 figures; 0.002 s"
+        in page
+    )
+    assert "ke fits another." in page
+    assert "VM65: 0 of 1 figures are the targets of this case, rounded. Not so: z_peak." in page
+    assert "- The mesh is fixed." in page
+    assert "| z_peak | 0.032 | 0.032 | 0 | 0 |" in page  # in percent of the target
+    for name in ("explained.svg", "explained-1.svg"):
+        assert (tmp_path / good.case.id / name).read_text().startswith("<svg")
+    report.write_index([good], tmp_path)
+    assert "10 % of a tolerance unexplained" in (tmp_path / "README.md").read_text()

@@ -1,0 +1,64 @@
+"""`vm explain`: where the difference of each result from theory comes from."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vmharness.cli.gathering import gathered, write_record
+from vmharness.cli.one import one
+from vmharness.cli.options import How, studying
+from vmharness.cli.say import complain, say, say_rows
+from vmharness.cli.selection import CASES
+from vmharness.suite.outcome import EXIT_CODES, Status
+
+if TYPE_CHECKING:
+    from vmharness.case import Case
+    from vmharness.evidence.explanation import Column
+
+
+@click.command("explain")
+@click.argument("selector", metavar="ID")
+@CASES
+@studying
+def command(selector: str, cases: Path | None, how: How, out: Path, json: Path | None) -> int:
+    """Split value less target of each result: time step, sampling, mesh, numbers of the deck, and what is left.
+
+    ID is an id, or the path of a case folder. For published columns: which reading of states gives their digits.
+    """
+    from vmharness.case import CaseError
+    from vmharness.report.studies.explain import remarks, tables
+    from vmharness.study.explain import explanation, variants
+
+    try:
+        case = one(selector, cases)
+        runs = variants(case)
+        outcomes = gathered(list(runs.values()), how, f"explain {case.id}")
+        found = explanation(case, dict(zip(runs, outcomes, strict=True)), how.solver)
+    except CaseError as error:
+        complain(str(error))
+        return EXIT_CODES[Status.BROKEN]
+    found = replace(found, columns=_columns(case, how.solver))
+    for table in tables(found):
+        say_rows(table)
+    for column in found.columns:
+        if column.reading:
+            say(f"{column.name}: {column.reading}: {len(column.same)} of {len(column.results)} figures")
+        for key, reading in column.others.items():
+            say(f"  {key}: {reading}")
+    for sentence in remarks(found):
+        say(sentence)
+    write_record(out, case.id, "explain", found, json)
+    return EXIT_CODES[Status.PASS]
+
+
+def _columns(case: "Case", solver: str) -> "list[Column]":
+    """Published columns, if there are any: the whole history of one more run is needed to read them."""
+    from vmharness.backends import backend
+    from vmharness.study.published import columns
+
+    if not case.published:
+        return []
+    history = backend(solver).solve(case, None).history
+    return columns(case, history) if history is not None else []
