@@ -107,7 +107,9 @@ def test_segment_set_is_one_sided_as_given_unless_orien_is_2(wall_and):
 
 def test_a_segment_without_a_shell_is_an_error(wall_and):
     wrong = "*SET_SEGMENT\n7\n1,2,3,5\n"
-    with pytest.raises(DeckError, match=r"\*SET_SEGMENT: N1 = 1: no shell and no face of a solid has the nodes"):
+    with pytest.raises(
+        DeckError, match=r"\*SET_SEGMENT: N1 = 1: no shell and no face of a solid has the nodes"
+    ):
         wall_and(ball() + wrong + contact(surfb="7", kind=0))
 
 

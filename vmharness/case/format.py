@@ -66,7 +66,8 @@ class Channel(Table, frozen=True):
         ),
     ] = None
     support: Annotated[
-        Literal["all"] | int | None, Meta(description="Reactions of all supports together, or of that at a node")
+        Literal["all"] | int | None,
+        Meta(description="Reactions of all supports together, or of that at a node"),
     ] = None
     motion: Annotated[int | None, Meta(description="Number of the prescribed motion in the deck's order")] = (
         None

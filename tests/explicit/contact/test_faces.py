@@ -60,5 +60,12 @@ def test_segments_face_away_from_nodes_behind_them():
     top, behind, before = np.array([[4, 5, 6, 7], [4, 5, 6, 6]]), np.array([0]), np.array([8])
     assert faces_away(top, x, behind)
     assert not faces_away(top, x, before)
+    tilted = (
+        x
+        @ np.array([[0.8, 0.6, 0.0], [-0.6, 0.8, 0.0], [0.0, 0.0, 1.0]])
+        @ np.array([[0.8, 0.0, 0.6], [0.0, 1.0, 0.0], [-0.6, 0.0, 0.8]])
+    )
+    for segments in (top, turned(top)):  # a node that lies in the surface, but for round-off
+        assert not faces_away(segments, np.vstack([tilted, tilted[top[0]].mean(axis=0)]), np.array([9]))
     np.testing.assert_allclose(area_vectors(x[turned(top)]), -area_vectors(x[top]))
     assert turned(top)[1].tolist() == [5, 4, 6, 6]

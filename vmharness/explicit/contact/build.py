@@ -26,12 +26,13 @@ def add_contacts(
     if not entries:
         return
     every, control = all_facets(deck, model), control_of(deck)
+    rigid = np.unique(every.nodes[every.rigid])
     for entry in entries:
         automatic = "AUTOMATIC" in keyword.name
         passes = passes_of(Sides(deck, model, entry, control, every, automatic, single), two_way)
         contact = Contact(number_of(deck, entry), passes, options_of(entry, control))
         tracked = [tracked for tracked, _ in passes]
-        treat(contact, tracked, model, entry, keeps_penetrations(entry, control), automatic)
+        treat(contact, tracked, model, entry, keeps_penetrations(entry, control), automatic, rigid)
         model.forces.append(contact)
 
 

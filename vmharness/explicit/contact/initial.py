@@ -1,7 +1,7 @@
 """Nodes that begin behind the surface: refused, moved to it, or kept.
 
 IGNORE = 0    a contact that is not automatic is refused; an automatic one moves the nodes to the surface, before
-              the run and without strain
+              the run and without strain, but not those of a rigid part
 IGNORE = 1,2  the node stays, and its gap counts from there
 """
 
@@ -9,14 +9,21 @@ import numpy as np
 
 from vmharness.deck import Entry
 from vmharness.explicit.model import Model
+from vmharness.explicit.parts import Index
 from vmharness.explicit.penalty.contact import Contact
 from vmharness.explicit.penalty.tracked import Tracked
 
 
 def treat(
-    contact: Contact, passes: list[Tracked], model: Model, entry: Entry, kept: bool, automatic: bool
+    contact: Contact,
+    passes: list[Tracked],
+    model: Model,
+    entry: Entry,
+    kept: bool,
+    automatic: bool,
+    rigid: Index,
 ) -> None:
-    """Do so with the nodes of a contact, and say it in the model's facts."""
+    """Do so with the nodes of a contact, and say it in the model's facts; `rigid`: rows of nodes of rigid parts."""
     found = contact.initial_penetrations(model.state.x)
     if not found:
         return
@@ -29,9 +36,14 @@ def treat(
     model.facts[f"Initial penetrations of {contact.name}"] = (
         f"{count}, the deepest {node} by {depth:.4g}: {what}"
     )
-    if not kept:
-        for tracked in passes:  # the second side of a two-way contact sees where the first has gone
-            for row, way in contact.initial_penetrations(model.state.x):
-                if row in tracked.nodes:
-                    model.state.x[row] += way
-                    model.x0[row] = model.state.x[row]
+    if kept:
+        return
+    for row, _ in found:
+        if row in rigid:
+            what = f"node {model.ids[row]} of a rigid part begins behind the surface; move the part, or set IGNORE = 1"
+            raise entry.error("surfa", what)
+    for tracked in passes:  # the second side of a two-way contact sees where the first has gone
+        for row, way in contact.initial_penetrations(model.state.x):
+            if row in tracked.nodes:
+                model.state.x[row] += way
+                model.x0[row] = model.state.x[row]

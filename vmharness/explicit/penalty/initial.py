@@ -43,9 +43,10 @@ def ways_out(x: Array, nodes: Records, segments: Records, first: Index, near: In
                     ways[t] = to
             else:
                 xi, eta, height = gap(segment["triangle"], c, p, xi, eta)
+                depth = half - height  # beyond the depth of release it is the far side of the same solid
                 if (
-                    half - height > ROUND_OFF * size(c)
+                    ROUND_OFF * size(c) < depth <= segment["release"]
                     and beyond(segment["triangle"], xi, eta) <= maxpar - 1.0
                 ):
-                    ways[t] = scale(half - height, n)
+                    ways[t] = scale(depth, n)
     return ways

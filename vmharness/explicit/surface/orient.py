@@ -6,14 +6,17 @@ from vmharness.explicit.parts import Index
 from vmharness.explicit.state import Array
 from vmharness.explicit.surface.faces import area_vectors
 
+ROUND_OFF = 1e-9  # of the segments' size: nodes that lie in the surface are not behind it
+
 
 def faces_away(segments: Index, x: Array, tracked: Index) -> bool:
     """Whether the tracked nodes (nt,) lie, on the whole, behind the segments (ns, 4).
 
     The sign of sum A n . (mean of the tracked nodes - centre of the segment).
     """
-    centre = x[segments].mean(axis=1)
-    return bool(np.einsum("ij,ij->", x[tracked].mean(axis=0) - centre, area_vectors(x[segments])) < 0.0)
+    centre, areas = x[segments].mean(axis=1), area_vectors(x[segments])
+    side = np.einsum("ij,ij->", x[tracked].mean(axis=0) - centre, areas)
+    return bool(side < -ROUND_OFF * (np.linalg.norm(areas, axis=1) ** 1.5).sum())
 
 
 def turned(segments: Index) -> Index:
