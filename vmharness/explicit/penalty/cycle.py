@@ -15,8 +15,9 @@ from vmharness.explicit.penalty.onset import look
 from vmharness.explicit.penalty.push import push
 from vmharness.explicit.penalty.touch import Record, Records
 from vmharness.explicit.penalty.work import half_work, let_go
+from vmharness.explicit.segment import at
 from vmharness.explicit.state import Array
-from vmharness.explicit.vector import inlined
+from vmharness.explicit.vector import Vector, dot, inlined, subtract
 
 Index = NDArray[np.intp]
 
@@ -86,14 +87,25 @@ def keep_up(
 @uncounted
 def fastest(v: Array, nodes: Records, rows: Index) -> float:
     """A bound of the relative velocity of any of the nodes and any of the `rows` of segments."""
-    square = 0.0
-    for j in range(3):
-        low, high = v[rows[0], j], v[rows[0], j]
-        for r in rows:
-            low, high = min(low, v[r, j]), max(high, v[r, j])
-        least, most = 0.0, 0.0
-        for t in range(nodes.size):
-            here = v[nodes[t]["row"], j]
-            least, most = min(least, here - high), max(most, here - low)
-        square += max(-least, most) ** 2
-    return float(np.sqrt(square))
+    low = high = at(v, rows[0])
+    for r in rows:
+        here = at(v, r)
+        low, high = lower(low, here), higher(high, here)
+    least = most = at(v, nodes[0]["row"])
+    for t in range(nodes.size):
+        here = at(v, nodes[t]["row"])
+        least, most = lower(least, here), higher(most, here)
+    bound = higher(subtract(most, low), subtract(high, least))
+    return float(np.sqrt(dot(bound, bound)))
+
+
+@inlined
+def lower(a: Vector, b: Vector) -> Vector:
+    """The lesser of each component."""
+    return min(a[0], b[0]), min(a[1], b[1]), min(a[2], b[2])
+
+
+@inlined
+def higher(a: Vector, b: Vector) -> Vector:
+    """The greater of each component."""
+    return max(a[0], b[0]), max(a[1], b[1]), max(a[2], b[2])
