@@ -40,21 +40,18 @@ plate
 
 @pytest.mark.parametrize(("low", "high"), [(0.01, 0.01), (0.01, 0.11)])
 def test_a_plate_bounces_with_the_energy_that_it_had(wall_and, low, high):
-    model = wall_and(PLATE.format(low=low, high=high), end=1.5, density=1e-6)
+    model = wall_and(PLATE.format(low=low, high=high), end=4.0, density=1e-6)
     (stored,) = energy.accounts(model.forces, "contact")
     v, spin = (probe.rigid(model, 5, what) for what in ("z-velocity", "y-angular-velocity"))
-    force, impulse, begun = probe.contact(model, 1, "z-force"), 0.0, 0.5 * 0.1 * 0.1**2
-    before = 0.0
+    mass = 0.1 * np.hypot(1.0, high - low)
+    force, impulse, before, fastest = probe.contact(model, 1, "z-force"), 0.0, 0.0, 0.0
     for s in steps(model):
-        assert model.kinetic() + stored[0] == pytest.approx(begun, rel=1e-3)
+        assert model.kinetic() + stored[0] == pytest.approx(0.5 * mass * 0.1**2, rel=1e-4)
         impulse += 0.5 * (before + force()) * s.dt
-        before = force()
+        before, fastest = force(), max(fastest, abs(spin()))
     assert force() == 0.0
-    assert impulse == pytest.approx(0.1 * (v() + 0.1), rel=1e-3)
-    if low == high:
-        assert v() == pytest.approx(0.1, rel=1e-3)
-        assert abs(spin()) < 1e-9
-    else:
-        assert v() < 0.09
-        assert abs(spin()) > 0.05
+    assert impulse == pytest.approx(mass * (v() + 0.1), rel=1e-4)
+    # With all mass in the corners, the edges bounce each by itself: in between, one goes up and one down.
+    assert v() == pytest.approx(0.1, rel=1e-3)
+    assert fastest == pytest.approx(0.0 if low == high else 0.2, rel=0.02, abs=1e-9)
     assert np.ptp(model.state.lumped[4:8]) == pytest.approx(0.0, abs=1e-15)
