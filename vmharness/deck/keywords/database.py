@@ -26,6 +26,7 @@ ASCII = tuple(
         "DEFORC",
         "ELOUT",
         "GLSTAT",
+        "JNTFORC",
         "MATSUM",
         "NCFORC",
         "NODFOR",

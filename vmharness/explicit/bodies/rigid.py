@@ -11,18 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.deck import Deck
-from vmharness.deck.keywords.initial_velocity_rigid_body import INITIAL_VELOCITY_RIGID_BODY
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.damping.mass import MassDamping
-from vmharness.explicit.loads.body import BodyLoad, Centrifugal
 from vmharness.explicit.model import Model
 from vmharness.explicit.rigid.bearing import bear
 from vmharness.explicit.rigid.bodies import Bodies, Drive, Gather
-from vmharness.explicit.rigid.inertia import Inertia, of_card, of_points, principal, quaternion
-from vmharness.explicit.rigid.joints import definitions, joints
-from vmharness.explicit.rigid.members import Member, members
-from vmharness.explicit.rigid.motion import rigid_motion
-from vmharness.explicit.rigid.numbers import body_number
+from vmharness.explicit.rigid.check import check_free, check_joints, check_whole
+from vmharness.explicit.rigid.inertia import Inertia, principal, quaternion
+from vmharness.explicit.rigid.joints import joints
+from vmharness.explicit.rigid.members import Member, inertia_of, members
+from vmharness.explicit.rigid.velocity import velocities
 from vmharness.explicit.state import Array
 
 Index = NDArray[np.intp]
@@ -35,12 +33,11 @@ def build(deck: Deck, model: Model) -> None:
     found = members(deck, model)
     if not found:
         return
-    _check_free(model, found)
-    _check_whole(model, found)
+    check_free(model, found)
+    check_whole(model, found)
     centre = np.array([model.centre(member.number) for member in found], np.intp)
-    inertia = [_inertia(model, member) for member in found]
-    moments, axes = zip(*(principal(one.tensor) for one in inertia), strict=True)
-    velocity = _velocities(deck, model, found, inertia)
+    inertia = [inertia_of(model, member) for member in found]
+    velocity = velocities(deck, model, found, inertia)
     model.state.lumped = model.state.mass.copy()
     for row, member, one, (v, omega) in zip(centre, found, inertia, velocity, strict=True):
         _place(model, row, member, one, v, omega)
@@ -49,9 +46,38 @@ def build(deck: Deck, model: Model) -> None:
         motion.begin(model)  # it overrules
     for row, member in zip(centre, found, strict=True):
         _set_nodes(model, row, member.nodes)
+    bodies = _bodies(model, found, inertia, centre, motions)
+    inverse_mass = np.zeros(model.ids.size)
+    inverse_mass[centre] = 1.0 / np.array([one.mass for one in inertia])
+    movable = np.where(bodies.held[:, :3], 0.0, inverse_mass[centre][:, None])
+    body = np.repeat(np.arange(len(found)), np.diff(bodies.first))
+    bodies.joints = joints(deck, model, bodies.nodes, body, movable)
+    if bodies.joints is not None:
+        check_joints(deck, bodies, motions)
+    bear(model, bodies)
+    model.constraints.insert(0, Gather(bodies, inverse_mass))
+    model.constraints.append(bodies)
+    model.kinetic.others.append(bodies.kinetic)
+    _say(model, found, inertia)
+
+
+def _ruled(model: Model, found: list[Member]) -> NDArray[np.bool_]:
+    """All degrees of freedom of the nodes, and what CMO holds of the centres."""
+    fixed = np.zeros((model.ids.size, 6), bool)
+    for member in found:
+        fixed[member.nodes] = True
+        fixed[model.centre(member.number)] = member.held
+    return fixed
+
+
+def _bodies(
+    model: Model, found: list[Member], inertia: list[Inertia], centre: Index, motions: list[PrescribedMotion]
+) -> Bodies:
+    """The bodies as arrays, from the state at t = 0."""
+    moments, axes = zip(*(principal(one.tensor) for one in inertia), strict=True)
     sizes = [member.nodes.size for member in found]
     inverse = np.divide(1.0, moments, out=np.zeros((len(found), 3)), where=np.array(moments) > 0.0)
-    bodies = Bodies(
+    return Bodies(
         numbers=np.array([member.number for member in found]),
         centre=centre,
         first=np.concatenate([[0], np.cumsum(sizes)]).astype(np.intp),
@@ -68,84 +94,6 @@ def build(deck: Deck, model: Model) -> None:
         damping=_damping(model),
         fixed=_ruled(model, found),
     )  # fmt: skip
-    inverse_mass = np.zeros(model.ids.size)
-    inverse_mass[centre] = 1.0 / np.array([one.mass for one in inertia])
-    movable = np.where(bodies.held[:, :3], 0.0, inverse_mass[centre][:, None])
-    body = np.repeat(np.arange(len(found)), sizes)
-    bodies.joints = joints(deck, model, bodies.nodes, body, movable)
-    if bodies.joints is not None:
-        _check_joints(deck, bodies, motions)
-    bear(model, bodies)
-    model.constraints.insert(0, Gather(bodies, inverse_mass))
-    model.constraints.append(bodies)
-    model.kinetic.others.append(bodies.kinetic)
-    _say(model, found, inertia)
-
-
-def _check_free(model: Model, found: list[Member]) -> None:
-    """No support or prescribed motion may rule a single node of a body."""
-    for constraint in model.constraints:
-        rows = constraint.nodes if isinstance(constraint, PrescribedMotion) else np.zeros(0, np.intp)
-        ruled = np.asarray(constraint.fixed.any(axis=1))
-        ruled[rows] = True
-        for member in found:
-            for row in member.nodes[ruled[member.nodes]]:
-                what = (
-                    f"{constraint.name} rule its node {model.ids[row]}; a rigid body is held by CMO of *MAT_RIGID, "
-                    "moved by *BOUNDARY_PRESCRIBED_MOTION_RIGID"
-                )
-                raise member.entry.error("pid", what)
-
-
-def _check_whole(model: Model, found: list[Member]) -> None:
-    """What acts on the mass of a part acts on the whole of a body, or not at all."""
-    loads = [(item.name, item.nodes) for item in model.forces if isinstance(item, BodyLoad | Centrifugal)]
-    damping = [item for item in model.constraints if isinstance(item, MassDamping)]
-    loads += [(item.name, nodes) for item in damping for nodes, *_ in item.terms]
-    for name, nodes in loads:
-        acted = np.zeros(model.ids.size, bool)
-        acted[nodes] = True
-        for member in found:
-            if acted[member.nodes].any() and not acted[model.centre(member.number)]:
-                what = f"{name} acts on parts that have nodes of this rigid body, but not on the body itself"
-                raise member.entry.error("pid", what)
-
-
-def _inertia(model: Model, member: Member) -> Inertia:
-    """Mass, centre and inertia of a body; raises DeckError where it has no mass."""
-    s, nodes, entry = model.state, member.nodes, member.entry
-    if member.has_inertia:
-        at = np.array([entry.xc, entry.yc, entry.zc])
-        return of_card(entry, model.x0[model.row(entry, "nodeid", entry.nodeid)] if entry.nodeid else at)
-    if not s.mass[nodes].any():
-        raise entry.error("pid", "a rigid body without mass: its nodes have none")
-    return of_points(model.x0[nodes], s.mass[nodes], s.inertia[nodes])
-
-
-def _velocities(
-    deck: Deck, model: Model, found: list[Member], inertia: list[Inertia]
-) -> list[tuple[Array, Array]]:
-    """Velocity of the centre and angular velocity of each body at t = 0."""
-    s = model.state
-    given = {body_number(deck, e, "pid"): e for e in deck.all(INITIAL_VELOCITY_RIGID_BODY)}
-    velocities = []
-    for member, one in zip(found, inertia, strict=True):
-        rows = member.nodes
-        if entry := given.get(member.number):
-            pair = _vectors(entry.values, "vx", "vy", "vz"), _vectors(entry.values, "vxr", "vyr", "vzr")
-        elif member.has_inertia:
-            values = member.entry.values
-            pair = _vectors(values, "vtx", "vty", "vtz"), _vectors(values, "vrx", "vry", "vrz")
-        else:
-            pair = rigid_motion(
-                model.x0[rows], s.v[rows], s.omega[rows], s.mass[rows], s.inertia[rows], one.centre
-            )
-        velocities.append(pair)
-    return velocities
-
-
-def _vectors(values: dict[str, float], *names: str) -> Array:
-    return np.array([values[name] for name in names])
 
 
 def _place(model: Model, row: int, member: Member, inertia: Inertia, v: Array, omega: Array) -> None:
@@ -163,24 +111,6 @@ def _set_nodes(model: Model, centre: np.intp, nodes: Index) -> None:
     s = model.state
     s.v[nodes] = s.v[centre] + np.cross(s.omega[centre], s.x[nodes] - s.x[centre])
     s.omega[nodes] = s.omega[centre]
-
-
-def _check_joints(deck: Deck, bodies: Bodies, motions: list[PrescribedMotion]) -> None:
-    """What joints are not made for."""
-    first = definitions(deck)[0]
-    if any(motion.dof < 3 for motion in motions):
-        raise first.error(None, "not supported beside a prescribed motion of the centre of a rigid body")
-    if bodies.damping is not None:
-        raise first.error(None, "not supported with mass damping")
-
-
-def _ruled(model: Model, found: list[Member]) -> NDArray[np.bool_]:
-    """All degrees of freedom of the nodes, and what CMO holds of the centres."""
-    fixed = np.zeros((model.ids.size, 6), bool)
-    for member in found:
-        fixed[member.nodes] = True
-        fixed[model.centre(member.number)] = member.held
-    return fixed
 
 
 def _motions(model: Model, centre: Index) -> list[PrescribedMotion]:

@@ -16,6 +16,7 @@ from vmharness.deck.keywords.part import PART, has_inertia
 from vmharness.explicit.dof import coded
 from vmharness.explicit.materials.rigid import KEYWORD as MAT_RIGID
 from vmharness.explicit.model import Model
+from vmharness.explicit.rigid.inertia import Inertia, of_card, of_points
 from vmharness.explicit.rigid.numbers import body_number, definitions, lead_number, leads, numbers
 from vmharness.explicit.sets import node_set, nodes_of_parts
 
@@ -100,3 +101,14 @@ def _check_apart(model: Model, found: list[Member]) -> None:
             what = f"node {model.ids[row]} belongs to rigid body {other} as well; merge them: *CONSTRAINED_RIGID_BODIES"
             raise member.entry.error("pid", what)
         owner[member.nodes] = place
+
+
+def inertia_of(model: Model, member: Member) -> Inertia:
+    """Mass, centre and inertia of a body; raises DeckError where it has no mass."""
+    s, nodes, entry = model.state, member.nodes, member.entry
+    if member.has_inertia:
+        at = np.array([entry.xc, entry.yc, entry.zc])
+        return of_card(entry, model.x0[model.row(entry, "nodeid", entry.nodeid)] if entry.nodeid else at)
+    if not s.mass[nodes].any():
+        raise entry.error("pid", "a rigid body without mass: its nodes have none")
+    return of_points(model.x0[nodes], s.mass[nodes], s.inertia[nodes])

@@ -1,0 +1,55 @@
+"""Cases of rigid bodies: they pass, each planted fault fails them, and budgets justify tolerances."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from vmharness.backends import builtin
+from vmharness.case import Case, read
+from vmharness.compare import Verdict
+from vmharness.evidence.faults import planted
+from vmharness.evidence.tolerance import review
+from vmharness.run import run
+
+CASES = Path(__file__).parents[1] / "cases"
+IDS = ["D-31", "D-32", "D-34"]
+
+
+@pytest.fixture(params=IDS)
+def case(request) -> Case:
+    return read(CASES / request.param)
+
+
+def test_passes_with_errors_that_the_budget_covers(case):
+    judged = run(case, builtin)
+    assert judged.verdict is Verdict.PASS, judged.reason
+    for row in judged.rows:
+        if row.comparison.error_percent is not None:
+            assert abs(row.comparison.error_percent) / 100.0 <= 1.01 * row.budget, row.key
+    assert review(case) == ([], [])
+
+
+def test_every_planted_fault_fails(case):
+    for fault in case.file.faults:
+        wrong = {row.key for row in run(planted(case, fault), builtin).rows if row.verdict is Verdict.FAIL}
+        assert wrong >= set(fault.must_fail), fault.text
+
+
+def test_the_energy_of_the_pendulum_balances():
+    history = run(read(CASES / "D-31"), builtin).solution.history
+    assert np.abs(history["ratio"][len(history) // 20 :] - 1.0).max() < 1e-4
+
+
+@pytest.mark.parametrize(
+    ("id", "exact"),
+    [
+        ("D-31", {"T": 1.93333485, "omega": 5.424942, "pin": 2.5 * 0.785 * 9.81}),
+        ("D-32", {"t_back": 2 * np.pi / 2.00997512, "kinetic": 1.02}),
+        ("D-34", {"v_turn": -0.0654}),
+    ],
+)
+def test_targets_are_those_derived_independently(id, exact):
+    case = read(CASES / id)
+    for key, value in exact.items():
+        assert case.target(key) == pytest.approx(value, rel=2e-6)
