@@ -3,13 +3,14 @@
 from dataclasses import replace
 from pathlib import Path
 
+import msgspec
 import numpy as np
 import pytest
 
 from vmharness.case import CaseError, read
 from vmharness.evidence import plant
 from vmharness.evidence.explanation import SAMPLING, Part, explained, halved
-from vmharness.study.explain import NUMBERS, SOUND, TIME_STEP, explanation, variants
+from vmharness.study.explain import NUMBERS, PENALTY, SOUND, TIME_STEP, explanation, variants
 from vmharness.study.gather import gather
 from vmharness.study.measured import Measured
 
@@ -58,6 +59,17 @@ def test_the_rounding_of_the_deck_and_the_time_step_are_told_apart(store, coarse
     assert found[NUMBERS].value == pytest.approx(rounded, rel=0.01)
     assert 0.0 < abs(found[TIME_STEP].value) <= coarse.theory["s_dt"] * abs(one.target)
     assert abs(one.unexplained.value) < 0.02 * abs(one.difference)
+
+
+def test_a_penalty_that_is_no_datum_is_told_by_twice_the_stiffness(store, coarse):
+    parameters = {name: text for name, text in coarse.file.deck.parameters.items() if name != "SLSFAC"}
+    deck = msgspec.structs.replace(coarse.file.deck, parameters=parameters)
+    case = replace(coarse, file=msgspec.structs.replace(coarse.file, deck=deck))
+    found = parts(explain(case)["z_peak"])
+    twice = coarse.with_given({"k": 2.0 * coarse.given["k"]}).target("z_peak")
+    assert found[PENALTY].value == pytest.approx(2.0 * (coarse.target("z_peak") - twice), rel=1e-2)
+    assert found[PENALTY].open == pytest.approx(abs(found[PENALTY].value) / 2.0, rel=0.01)
+    assert PENALTY not in parts(explain(coarse)["z_peak"])
 
 
 def test_a_failed_run_is_not_explained(coarse):

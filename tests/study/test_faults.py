@@ -11,8 +11,9 @@ from vmharness.backends.builtin import read_deck
 from vmharness.case import read
 from vmharness.evidence import plant
 from vmharness.evidence.detection import Noticed, coverage
-from vmharness.study import faults
-from vmharness.study.faults import Planted, StudyError, detection, finding, planted
+from vmharness.study import deck_faults
+from vmharness.study.deck_faults import Planted
+from vmharness.study.faults import StudyError, detection, finding, planted
 from vmharness.study.gather import gather
 from vmharness.study.measured import Measured, Value
 from vmharness.study.variant import Variant
@@ -100,7 +101,7 @@ def test_what_an_outcome_says_of_a_fault():
 
 
 def test_parameters_are_wrong_one_at_a_time(ball):
-    found = {fault.name: fault.variant.case for fault in faults.parameter_faults(ball, 500)}
+    found = {fault.name: fault.variant.case for fault in deck_faults.parameter_faults(ball, 500)}
     assert found["G +5 %"].deck_parameters() == {"RHO": 2.5437, "G": pytest.approx(1.05 * 386.0)}
     assert not any(name.startswith("TEND") for name in found)
     slipped = read_deck(found["H 1000 times as large"])
@@ -110,7 +111,7 @@ def test_parameters_are_wrong_one_at_a_time(ball):
 
 def test_a_number_of_the_model_that_nothing_depends_on_is_harmless(ball):
     chosen = [
-        fault for fault in faults.parameter_faults(ball, 500) if fault.name.startswith(("RHO", "SLSFAC"))
+        fault for fault in deck_faults.parameter_faults(ball, 500) if fault.name.startswith(("RHO", "SLSFAC"))
     ]
     refused = Measured(failure="must be positive")
     moved = [refused if "sign" in fault.name else replace(SOUND, history_sha256="b") for fault in chosen]
@@ -120,12 +121,22 @@ def test_a_number_of_the_model_that_nothing_depends_on_is_harmless(ball):
     assert by["SLSFAC +1 %"].noticed is Noticed.MISSED  # it follows from k, which is of the problem
 
 
+def test_a_length_of_the_mesh_is_a_number_of_the_deck(ball):
+    bar = read(CASES / "D-37")
+    found = {fault.name: fault.variant.case for fault in deck_faults.parameter_faults(bar, 500)}
+    assert not any(name.startswith("n ") for name in found)  # the number of elements numbers the nodes
+    (name,) = [name for name in found if name.startswith("L") and name.endswith(" -1 %")]
+    x = [read_deck(case).one("NODE").x for case in (bar, found[name])]
+    assert np.ptp(x[1]) == pytest.approx(0.99 * np.ptp(x[0]))
+
+
 def test_supports_go_from_the_cards_or_from_the_nodes(ball):
-    last, none = faults.support_faults(ball)
+    last, none = deck_faults.support_faults(ball)
     assert not read_deck(last.variant.case).all("BOUNDARY_SPC_SET")
     ring = read(CASES / "D-49")
     codes = [
-        read_deck(case).one("NODE") for case in (ring, *(f.variant.case for f in faults.support_faults(ring)))
+        read_deck(case).one("NODE")
+        for case in (ring, *(f.variant.case for f in deck_faults.support_faults(ring)))
     ]
     held = [int(np.count_nonzero(node.tc | node.rc)) for node in codes]
     assert held == [held[0], held[0] - 1, 0]

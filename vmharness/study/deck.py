@@ -27,6 +27,20 @@ def with_step(case: Case, factor: float) -> Case:
     return with_entries(case, lambda deck: _scaled(deck, factor))
 
 
+def with_stiffer_contacts(case: Case, factor: float) -> Case:
+    """The case with `factor` times the stiffness of its contacts: SFSA and SFSB of every *CONTACT_..."""
+
+    def stiffer(entry: Entry) -> Entry:
+        if not entry.keyword.name.startswith("CONTACT_"):
+            return entry
+        scales: dict[str, float] = {
+            name: factor * entry.values[name] for name in ("sfsa", "sfsb") if name in entry.values
+        }
+        return replace(entry, values={**entry.values, **scales})
+
+    return with_entries(case, lambda deck: map(stiffer, deck.entries))
+
+
 def _scaled(deck: Deck, factor: float) -> list[Entry]:
     control = deck.first(CONTROL_TIMESTEP)
     if control is None:

@@ -3,23 +3,20 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
+from vmharness.backends.builtin import read_deck
 from vmharness.case import Case, CaseError
 from vmharness.deck import DeckError
 from vmharness.evidence.explanation import Explained, Explanation, Part, explained, halved, sampled
 from vmharness.evidence.faults import RUN_LENGTH
 from vmharness.evidence.richardson import Kind, Richardson, richardson
 from vmharness.study import converge
-from vmharness.study.deck import with_step
+from vmharness.study.deck import with_step, with_stiffer_contacts
 from vmharness.study.measured import Measured
 from vmharness.study.variant import Variant
 
-SOUND, HALF, QUARTER, EXACT = (
-    "as it is",
-    "half the step",
-    "a quarter of the step",
-    "every number of the deck exact",
-)
-TIME_STEP, NUMBERS, MESH = "time step", "numbers of the deck", "mesh"
+SOUND, HALF, QUARTER = "as it is", "half the step", "a quarter of the step"
+EXACT, STIFF = "every number of the deck exact", "contacts twice as stiff"
+TIME_STEP, NUMBERS, PENALTY, MESH = "time step", "numbers of the deck", "penalty", "mesh"
 
 
 def variants(case: Case) -> dict[str, Variant]:
@@ -32,6 +29,8 @@ def variants(case: Case) -> dict[str, Variant]:
         found.pop(HALF, None)
     if case.file.deck.parameters:
         found[EXACT] = Variant(_with_exact_numbers(case), EXACT)
+    if _has_penalty(case):
+        found[STIFF] = Variant(with_stiffer_contacts(case, 2.0), STIFF)
     return found | {variant.label: variant for variant in _meshes(case)}
 
 
@@ -64,7 +63,7 @@ def explanation(case: Case, outcomes: Mapping[str, Measured], solver: str) -> Ex
 def _explained(case: Case, key: str, outcomes: Mapping[str, Measured]) -> Explained:
     result, sound = case.result(key), outcomes[SOUND].results[key]
     value, target = sound.value or 0.0, sound.target
-    parts = [*_steps(key, value, outcomes), *_numbers(key, value, outcomes)]
+    parts = [*_steps(key, value, outcomes), *_numbers(key, value, outcomes), *_penalty(key, value, outcomes)]
     parts += _mesh(case, key, value, target, outcomes, parts)
     allowed = result.tolerance.absolute + result.tolerance.relative * abs(target)
     return explained(key, result.label, result.unit, target, value, allowed, parts)
@@ -91,6 +90,14 @@ def _numbers(key: str, value: float, outcomes: Mapping[str, Measured]) -> list[P
     return [] if exact is None else [Part(NUMBERS, value - exact)]
 
 
+def _penalty(key: str, value: float, outcomes: Mapping[str, Measured]) -> list[Part]:
+    """What the give of a contact does: it goes as 1/k, so that it is twice what goes with twice the stiffness."""
+    if STIFF not in outcomes or outcomes[STIFF].failure:
+        return []
+    stiff = outcomes[STIFF].results[key].value
+    return [] if stiff is None else [Part(PENALTY, 2.0 * (value - stiff), abs(value - stiff))]
+
+
 def _mesh(
     case: Case, key: str, value: float, target: float, outcomes: Mapping[str, Measured], others: list[Part]
 ) -> list[Part]:
@@ -108,6 +115,13 @@ def _mesh(
         return []
     along = sum(part.value for part in others if part.cause == TIME_STEP) if plan.refined == "both" else 0.0
     return [Part(MESH, value - found.extrapolated - along, found.gci or 0.0)]
+
+
+def _has_penalty(case: Case) -> bool:
+    """The deck has contacts whose stiffness is not of the problem, but that of a penalty."""
+    if any(name.upper() == "SLSFAC" for name in case.file.deck.parameters):
+        return False
+    return any(entry.keyword.name.startswith("CONTACT_") for entry in read_deck(case).entries)
 
 
 def _meshes(case: Case) -> list[Variant]:

@@ -13,8 +13,8 @@ from vmharness.report.section import Figure, Section, Table
 HOW = (
     "Value less target, in percent of the tolerance, cause by cause: time step and sampling from runs with half and a "
     "quarter of the step, read at the instants of this one and more finely; the numbers of the deck from a run with "
-    "all those of the data; a mesh from what its refinement converges to. What is left is unexplained; ± is what the "
-    "causes leave open."
+    "all those of the data; a penalty from a run with contacts twice as stiff; a mesh from what its refinement "
+    "converges to. What is left is unexplained; ± is what the causes leave open."
 )
 
 
@@ -79,19 +79,16 @@ def remarks(found: Explanation) -> list[str]:
 
 def _table(results: Sequence[Explained], value: str) -> Table:
     """Parts in percent of the tolerance; of a published column in percent of the target, for it has no tolerance."""
-    causes = _causes(results)
-    own = value == "value"
-    head = ["Result", f"{value} − target", *causes, "±"]
-    unit = "of the tolerance" if own else "of the target"
-    rows = []
-    for one in results:
-        parts = {part.cause: part.value for part in one.parts}
-        cells = [_percent(one, parts[cause], own) if cause in parts else DASH for cause in causes]
-        rows.append(
-            [one.key, _percent(one, one.difference, own), *cells, _percent(one, one.unexplained.open, own)]
-        )
-    head[0] = f"Result (% {unit})"
-    return Table(head, rows)
+    causes, own = _causes(results), value == "value"
+    head = [f"Result (% of the {'tolerance' if own else 'target'})", f"{value} − target", *causes, "±"]
+    return Table(head, [_row(one, causes, own) for one in results])
+
+
+def _row(one: Explained, causes: Sequence[str], own: bool) -> list[str]:
+    parts = {part.cause: part.value for part in one.parts}
+    shown = [_percent(one, parts[cause], own) if cause in parts else DASH for cause in causes]
+    open_ = _percent(one, one.unexplained.open, own).removeprefix("-")
+    return [one.key, _percent(one, one.difference, own), *shown, open_]
 
 
 def _column_text(column: Column, case: Case) -> list[str]:
@@ -126,4 +123,4 @@ def _percent_of(one: Explained, value: float, own: bool) -> float:
 
 def _percent(one: Explained, value: float, own: bool) -> str:
     percent = _percent_of(one, value, own)
-    return positional(percent, 3 if own else 2) if abs(percent) >= 1e-5 else "0"
+    return positional(percent, 3 if own else 2) if abs(percent) >= (0.01 if own else 1e-5) else "0"

@@ -99,7 +99,7 @@ def _parameters(found: Detection) -> Table:
     changes: dict[str, dict[str, Finding]] = {}
     for finding in found.findings:
         name, _, how = finding.fault.partition(" ")
-        if finding.kind == "deck" and name.isidentifier() and name.isupper():
+        if finding.kind == "deck" and not finding.fault.endswith("missing"):
             changes.setdefault(name, {})[how] = finding
     columns = list(next(iter(changes.values()), {}))
     rows = [[name, *(cell(row.get(how)) for how in columns)] for name, row in changes.items()]
