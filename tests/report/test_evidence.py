@@ -37,8 +37,8 @@ def test_faults_are_on_the_page_and_in_the_index(good, planted, tmp_path):
     page = (tmp_path / good.case.id / "README.md").read_text()
     assert "Of 3 planted faults that change this run, 2 are caught" in page
     assert "Not noticed here: lag." in page
-    assert "| K | ✓ 214 × | ✓ no result |" in page
-    assert "| Times are late | in what is shown or read of it | ✗ 47 % | t_peak |" in page
+    assert "| K | ✓ 210 × | ✓ no result |" in page
+    assert "| Times are late | in what is shown or read of it | ✗ 0.47 × | t_peak |" in page
     assert "Not applicable, for the run is the same with it: friction." in page
     assert "without effect on any result, however wrong: RHO." in page
     report.write_index([good], tmp_path)
@@ -46,15 +46,15 @@ def test_faults_are_on_the_page_and_in_the_index(good, planted, tmp_path):
         index = (tmp_path / name).read_text()
         assert "2 of 3 faults" in index
         assert "What the cases notice" in index
-        assert "No case catches lag (Times are late); nearest is t_peak, at 47 % of its tolerance." in index
-        assert "No case has anything of friction (Friction pulls)." in index
+        assert "No case catches lag (Times are late); nearest is t_peak, at 0.47 × its tolerance." in index
+        assert "No case has anything of friction." in index
 
 
 def test_the_matrix_has_a_row_a_fault_and_a_column_a_case(good, planted):
     found = faults.together([planted, Detection("B", "0", "builtin", [planted.findings[3]])])
     (table,) = found.tables
     assert list(table.head) == ["Fault", good.case.id, "B"]
-    assert table.rows == [["Times are late", "✗ 47 %", "✗ 47 %"], ["Friction pulls", "–", "–"]]
+    assert table.rows == [["Times are late", "✗ 0.47 ×", "✗ 0.47 ×"], ["Friction pulls", "–", "–"]]
     assert found.summary == "0 of 2"
 
 

@@ -108,7 +108,7 @@ class Case:
         for name in changes:
             if name not in self.given:
                 raise CaseError(f"{self.id}: no given datum {name}; there are: {', '.join(self.given)}")
-            if not self._moves_deck(name):
+            if not self.moves_deck(name):
                 raise CaseError(f"{self.id}: {name} cannot be set: nothing in the deck depends on it")
         given = {**self.given, **changes}
         theory = evaluate_theory(self.id, self.file, given, self.formulas)
@@ -134,7 +134,8 @@ class Case:
         """The same case with the deck `text` in place of its own, which is run as it is."""
         return replace(self, deck_text=text)
 
-    def _moves_deck(self, datum: str) -> bool:
+    def moves_deck(self, datum: str) -> bool:
+        """Whether anything in the deck follows from a given datum, so that it can be set."""
         follow = [f"parameter {name}" for name in self.file.deck.parameters]
         follow += [f"mesh {name}" for name in self.file.deck.mesh]
         return any(datum in self.origins(name) for name in follow)

@@ -3,6 +3,7 @@
 from itertools import pairwise
 
 from vmharness.case.check import Checks
+from vmharness.case.format import CaseFile
 from vmharness.formula import DIMENSIONLESS
 
 LEVEL = {"N": DIMENSIONLESS}  # what formulas of a level know beside data and theory
@@ -45,3 +46,12 @@ def check_sweep(checks: Checks) -> None:
         if name in plan.ranges:
             raise checks.wrong(place, "is swept, and cannot follow")
         checks.unit(place, checks.file.given[name].unit, checks.formula(place, f"sweep {name}", text))
+
+
+def planned(file: CaseFile) -> list[tuple[str, str]]:
+    """The data that studies set, each with its place in the file."""
+    found = [("[converge] set", name) for name in (file.converge.set if file.converge else ())]
+    if file.sweep:
+        found += [("[sweep] ranges", name) for name in file.sweep.ranges]
+        found += [("[sweep] set", name) for name in file.sweep.set]
+    return found

@@ -8,7 +8,7 @@ from vmharness.case.case import Case, evaluate_theory
 from vmharness.case.check import Checks
 from vmharness.case.decode import FILE, decode
 from vmharness.case.error import CaseError
-from vmharness.case.plans import check_converge, check_sweep
+from vmharness.case.plans import check_converge, check_sweep, planned
 from vmharness.formula import UnitError, UnitSystem
 
 
@@ -34,6 +34,11 @@ def read(folder: Path) -> Case:
         dimensions=checked.dimensions,
         theory=theory,
     )
+    for place, name in planned(file):
+        if not case.moves_deck(name):
+            raise CaseError(
+                f"{folder.name}/{FILE}: {place}: {name} cannot be set: nothing in the deck depends on it"
+            )
     for number, result in enumerate(file.results, 1):
         if case.target(result.key) == 0.0 and result.tolerance.absolute == 0.0:
             why = "the target is 0: only an absolute tolerance can judge it"

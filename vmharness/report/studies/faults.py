@@ -8,10 +8,11 @@ import msgspec
 
 from vmharness.case import Case
 from vmharness.evidence.detection import Coverage, Detection, Finding, Noticed, coverage
-from vmharness.report.number import DASH, share
+from vmharness.report.number import DASH, short
 from vmharness.report.section import FOLDER, Section, Table
 
 FILE = "faults.json"
+HEADS = {"of the other sign": "other sign", "1000 times as large": "1000 ×"}
 KINDS = {
     "deck": "in the deck",
     "physics": "in the solver's physics",
@@ -42,12 +43,21 @@ def cell(finding: Finding | None) -> str:
     """What became of a fault, in a word and a number.
 
     >>> cell(Finding("a", "A", "deck", Noticed.MISSED, "z", 0.34)), cell(None)
-    ('✗ 34 %', '–')
+    ('✗ 0.34 ×', '–')
     """
     if finding is None or finding.noticed in (Noticed.UNSEEN, Noticed.HARMLESS):
         return DASH
     sign = "✓" if finding.noticed is Noticed.CAUGHT else "✗"
-    return f"{sign} {share(finding.share) if finding.share is not None else 'no result'}"
+    return f"{sign} {times(finding.share)}"
+
+
+def times(share: float | None) -> str:
+    """A distance from a target in tolerances, to two digits.
+
+    >>> times(0.344), times(7.19), times(23.8e6), times(None)
+    ('0.34 ×', '7.2 ×', '2.4e7 ×', 'no result')
+    """
+    return "no result" if share is None else f"{short(float(f'{share:.2g}'))} ×"
 
 
 def manual(cases: Sequence[Case], root: Path) -> Section | None:
@@ -86,12 +96,13 @@ def together(detections: Sequence[Detection]) -> Section:
 
 def to_do(found: Coverage) -> list[str]:
     """The faults that no case catches, and those of which no case has anything."""
-    missed = [
+    said = [
         f"No case catches {finding.fault} ({finding.text}); nearest is {finding.by}, "
-        f"at {share(finding.share)} of its tolerance."
+        f"at {times(finding.share)} its tolerance."
         for finding in found.missed
     ]
-    return missed + [f"No case has anything of {finding.fault} ({finding.text})." for finding in found.unseen]
+    unseen = [finding.fault for finding in found.unseen]
+    return said + ([f"No case has anything of {', '.join(unseen)}."] if unseen else [])
 
 
 def _parameters(found: Detection) -> Table:
@@ -103,7 +114,8 @@ def _parameters(found: Detection) -> Table:
             changes.setdefault(name, {})[how] = finding
     columns = list(next(iter(changes.values()), {}))
     rows = [[name, *(cell(row.get(how)) for how in columns)] for name, row in changes.items()]
-    return Table(["Parameter of the deck", *columns], rows)
+    heads = [HEADS.get(how, how) for how in columns]
+    return Table(["In the deck", *heads], rows)
 
 
 def _others(found: Detection) -> Table:
