@@ -133,7 +133,7 @@ def test_a_run_that_makes_energy_from_nothing_is_an_error_before_it_overflows(wa
 
 def test_a_contact_too_stiff_for_the_step_is_an_error(wall_and):
     model, _ = oscillator(wall_and, density=1e-2)
-    model.forces[1].stiffness *= 1e9
+    model.forces[1].passes[0].segments["penalty"] *= 1e9
     with pytest.raises(SolverError, match="the run has diverged: its energy is"):
         list(steps(model))
 

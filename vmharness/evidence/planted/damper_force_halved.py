@@ -2,6 +2,6 @@
 
 KIND = "physics"
 MODULE = "vmharness.explicit.elements.discrete.step"
-SOUND = "dt, elongation[i], rate, history, i"
-FAULTY = "dt, elongation[i], 0.5 * rate, history, i"
+SOUND = "law(constants, dt, d, rate, history, i"
+FAULTY = "law(constants, dt, d, 0.5 * rate, history, i"
 KEYWORDS = ("ELEMENT_DISCRETE",)

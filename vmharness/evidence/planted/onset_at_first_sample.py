@@ -2,5 +2,5 @@
 
 KIND = "reading"
 MODULE = "vmharness.events"
-SOUND = "return [_root_before(time, values, int(i)) for i in first]"
+SOUND = "return [_root_beside(time, values, int(i), 1) for i in first]"
 FAULTY = "return [float(time[i]) for i in first]"

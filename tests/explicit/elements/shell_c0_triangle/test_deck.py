@@ -89,19 +89,6 @@ def test_a_strip_under_sudden_load_stretches_by_twice_the_static_amount(wall_and
         ),
         ("*ELEMENT_SHELL\n2,1,5,6,5,5\n", r"\*ELEMENT_SHELL: N1 = 5: has a node twice"),
         ("*ELEMENT_SHELL\n2,1,5,6,99,99\n", r"\*ELEMENT_SHELL: N3 = 99: no \*NODE 99"),
-        (
-            STEEL + HALVES.format(pid=2) + "*SET_NODE_LIST\n2\n1\n*CONTACT_NODES_TO_SURFACE\n2,2,4,3\n\n\n",
-            r"SURFB = 2: part 2 has triangles; only shells of four nodes are supported in contact",
-        ),
-        (
-            STEEL + HALVES.format(pid=2) + "*SET_NODE_LIST\n2\n5\n*CONTACT_NODES_TO_SURFACE\n2,1,4,3\n\n\n",
-            r"SURFA = 2: node 5 is one of a triangle; only shells of four nodes are supported in contact",
-        ),
-        (
-            HALVES.format(pid=1) + "*SET_SEGMENT\n4\n5,6,7,7\n*SET_NODE_LIST\n2\n1\n"
-            "*CONTACT_NODES_TO_SURFACE\n2,4,4,0\n\n\n",
-            r"\*SET_SEGMENT: N1 = 5: no shell has the nodes of this segment; only shells of four nodes",
-        ),
     ],
 )
 def test_what_is_refused(wall_and, keywords, message):
