@@ -1,5 +1,6 @@
 import os
 import shutil
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -51,6 +52,11 @@ def vm(capsys):
     return run
 
 
+def _heed_interrupts():
+    """Ctrl-C is ignored by what a shell has put in the background, and by all that it starts."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 @pytest.fixture
 def vm_process():
     """Starts the command as a process of its own, in a process group of its own."""
@@ -64,6 +70,7 @@ def vm_process():
             text=True,
             env={**os.environ, "PYTHONPATH": str(ROOT)},
             start_new_session=True,
+            preexec_fn=_heed_interrupts,
         )
         started.append(process)
         return process
