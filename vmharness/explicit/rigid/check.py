@@ -21,8 +21,8 @@ def check_free(model: Model, found: list[Member]) -> None:
         for member in found:
             for row in member.nodes[ruled[member.nodes]]:
                 what = (
-                    f"{constraint.name} rule its node {model.ids[row]}; a rigid body is held by CMO of *MAT_RIGID, "
-                    "moved by *BOUNDARY_PRESCRIBED_MOTION_RIGID"
+                    f"its node {model.ids[row]} is ruled by {constraint.name}; "
+                    "a rigid body is held by CMO of *MAT_RIGID, moved by *BOUNDARY_PRESCRIBED_MOTION_RIGID"
                 )
                 raise member.entry.error("pid", what)
 
