@@ -16,6 +16,7 @@ from vmharness.explicit.energy import KineticEnergy
 from vmharness.explicit.force import Force
 from vmharness.explicit.rigid.numbers import numbers
 from vmharness.explicit.state import Array, State
+from vmharness.explicit.threads import ncpu
 
 # Folders whose modules each add to the model by `build(deck, model)`. Supports come late: they overrule velocities.
 # Damping comes after them: it acts on the accelerations that all others have left. Mass scaling needs all elements,
@@ -34,6 +35,7 @@ class Model:
     end_cycle: int
     step_factor: float  # TSSFAC
     order: NDArray[np.intp]  # (n,) rows in the order of their numbers
+    ncpu: int = 1  # threads that compute the elements
     dtmin: float = 0.0  # the run ends with an error below this fraction of its first step
     caps: list[Callable[[float], float]] = field(default_factory=list)  # t -> the longest step allowed
     facts: dict[str, str] = field(default_factory=dict)  # what building it did and a reader must know
@@ -135,6 +137,7 @@ def _nodes(deck: Deck) -> Model:
         end_cycle=termination.endcyc or np.iinfo(np.int64).max,
         step_factor=timestep.tssfac if timestep else 0.9,
         dtmin=termination.dtmin,
+        ncpu=ncpu(deck),
         order=np.argsort(ids),
     )
 
