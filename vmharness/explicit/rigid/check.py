@@ -13,11 +13,10 @@ from vmharness.explicit.rigid.members import Member
 
 
 def check_free(model: Model, found: list[Member]) -> None:
-    """No support or prescribed motion may rule a single node of a body."""
+    """No support, prescribed motion or rigid wall may rule a single node of a body."""
     for constraint in model.constraints:
-        rows = constraint.nodes if isinstance(constraint, PrescribedMotion) else np.zeros(0, np.intp)
         ruled = np.asarray(constraint.fixed.any(axis=1))
-        ruled[rows] = True
+        ruled[getattr(constraint, "nodes", [])] = True  # those too that it rules for a time, or on one side
         for member in found:
             for row in member.nodes[ruled[member.nodes]]:
                 what = (
