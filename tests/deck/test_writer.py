@@ -2,6 +2,7 @@
 
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -57,8 +58,18 @@ def card_line(card: Card) -> st.SearchStrategy[str]:
     return st.tuples(*map(item, card.fields.values())).map(",".join)
 
 
-def card_lines(keyword: Keyword) -> st.SearchStrategy[list[str]]:
-    return st.tuples(*map(card_line, (*keyword.cards, *keyword.rows))).map(list)
+@st.composite
+def card_lines(draw: st.DrawFn, keyword: Keyword) -> list[str]:
+    """A line for each card that is there, given the values on the cards before it."""
+    lines, entry = [], SimpleNamespace()
+    for card in (*keyword.cards, *keyword.rows):
+        if card.when and not card.when(entry):
+            continue
+        lines.append(draw(card_line(card)))
+        if not isinstance(card, Rows):
+            items = zip(card.fields.items(), lines[-1].split(","), strict=True)
+            vars(entry).update((name, field.read(written, {})) for (name, field), written in items)
+    return lines
 
 
 blocks = st.sampled_from(sorted(VOCABULARY)).flatmap(
