@@ -2,6 +2,7 @@
 
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -57,14 +58,21 @@ def card_line(card: Card) -> st.SearchStrategy[str]:
     return st.tuples(*map(item, card.fields.values())).map(",".join)
 
 
-def card_lines(keyword: Keyword) -> st.SearchStrategy[list[str]]:
-    """Those that are there whatever the values; see below for the others."""
-    always = [card for card in keyword.cards if card.when is None]
-    return st.tuples(*map(card_line, (*always, *keyword.rows))).map(list)
+@st.composite
+def card_lines(draw: st.DrawFn, keyword: Keyword) -> list[str]:
+    """A line for each card that is there, given the values on the cards before it."""
+    lines, entry = [], SimpleNamespace()
+    for card in (*keyword.cards, *keyword.rows):
+        if card.when and not card.when(entry):
+            continue
+        lines.append(draw(card_line(card)))
+        if not isinstance(card, Rows):
+            items = zip(card.fields.items(), lines[-1].split(","), strict=True)
+            vars(entry).update((name, field.read(written, {})) for (name, field), written in items)
+    return lines
 
 
-names = sorted(VOCABULARY.keys() - {"SECTION_BEAM"})  # one of two cards has to follow the first of these
-blocks = st.sampled_from(names).flatmap(
+blocks = st.sampled_from(sorted(VOCABULARY)).flatmap(
     lambda name: card_lines(VOCABULARY[name]).map(lambda lines: "\n".join([f"*{name}", *lines]))
 )
 
