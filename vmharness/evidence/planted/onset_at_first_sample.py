@@ -2,5 +2,5 @@
 
 KIND = "reading"
 MODULE = "vmharness.events"
-SOUND = "return [_root_before(time, values, int(i)) for i in first]"
-FAULTY = "return [float(time[i]) for i in first]"
+SOUND = "first = np.flatnonzero(on[1:] & ~on[:-1]) + 1\n"
+FAULTY = "first = np.flatnonzero(on[1:] & ~on[:-1]) + 1\n    return [float(time[i]) for i in first]\n"
