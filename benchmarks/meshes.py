@@ -14,8 +14,8 @@ HEAD = "*KEYWORD\n*CONTROL_TERMINATION\n       1.0\n*PART\np\n         1        
 
 def sheet(material: str, side: int = 200) -> str:
     """side x side Belytschko-Tsay shells of three points."""
-    n = np.arange(1, (side + 1) ** 2 + 1).reshape(side + 1, side + 1)
-    corners = np.stack([n[:-1, :-1], n[1:, :-1], n[1:, 1:], n[:-1, 1:]], axis=-1).reshape(-1, 4)
+    n = grid(side)
+    corners = quadrilaterals(n)
     section = "*SECTION_SHELL\n         1         2    0.8333         3\n       1.0"
     return "\n".join([section, *nodes(n), "*ELEMENT_SHELL", *rows(corners), material])
 
@@ -38,6 +38,16 @@ def chain(material: str, section: str) -> str:
     return "\n".join([section, *nodes(n), *off, "*ELEMENT_BEAM", *rows(corners), material])
 
 
+def grid(side: int) -> np.ndarray:
+    """Numbers of the nodes of side x side quadrilaterals."""
+    return np.arange(1, (side + 1) ** 2 + 1).reshape(side + 1, side + 1)
+
+
+def quadrilaterals(n: np.ndarray) -> np.ndarray:
+    """Corners of the quadrilaterals of a grid of nodes."""
+    return np.stack([n[:-1, :-1], n[1:, :-1], n[1:, 1:], n[:-1, 1:]], axis=-1).reshape(-1, 4)
+
+
 def nodes(numbers: np.ndarray) -> list[str]:
     """*NODE of a grid of unit spacing."""
     x = np.zeros((numbers.size, 3))
@@ -45,9 +55,11 @@ def nodes(numbers: np.ndarray) -> list[str]:
     return ["*NODE", *(f"{i:8d}{a:16.1f}{b:16.1f}{c:16.1f}" for i, (a, b, c) in enumerate(x.tolist(), 1))]
 
 
-def rows(corners: np.ndarray) -> list[str]:
-    """Lines of elements of part 1, in columns of eight."""
-    return [f"{e:8d}{1:8d}" + "".join(f"{i:8d}" for i in row) for e, row in enumerate(corners.tolist(), 1)]
+def rows(corners: np.ndarray, pid: int = 1, first: int = 1) -> list[str]:
+    """Lines of elements of a part, numbered from `first`, in columns of eight."""
+    return [
+        f"{e:8d}{pid:8d}" + "".join(f"{i:8d}" for i in row) for e, row in enumerate(corners.tolist(), first)
+    ]
 
 
 def deck(text: str) -> Deck:

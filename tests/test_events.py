@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vmharness.events import EventError, crossings, find, minima, onsets
+from vmharness.events import EventError, crossings, ends, find, minima, onsets
 
 phase = st.floats(0.0, 1.0, exclude_max=True)
 
@@ -27,6 +27,19 @@ def test_onset_is_found_far_inside_a_step_whatever_its_phase(offset):
     assert abs(t - 0.5) < 6.0**2 * 1e-9  # omega^2 dt^3
     first = time[np.flatnonzero(force)[0]]
     assert first >= t  # never later than the first sample with force
+
+
+@given(phase)
+def test_end_is_the_mirror_of_onset(offset):
+    time, force = sampled(push(0.5), 1e-3, offset, end=0.8)
+    (t,) = ends(-time[::-1], force[::-1])
+    assert -t == pytest.approx(onsets(time, force)[0], rel=1e-14)
+    assert -t == pytest.approx(0.5, abs=6.0**2 * 1e-9)
+
+
+def test_end_without_a_root_in_its_step_says_so():
+    with pytest.raises(EventError, match="ends between 4 and 5, but cannot be located"):
+        ends(np.arange(7.0), np.array([0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0]))
 
 
 def test_onset_error_falls_with_the_third_power_of_the_step():

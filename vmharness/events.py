@@ -1,4 +1,4 @@
-"""Events, found between samples: onset, level crossing, extremum.
+"""Events, found between samples: onset, end, level crossing, extremum.
 
 A value read at the nearest sample is the output interval's, not the solver's. Each event comes with the uncertainty
 that sampling leaves: how far it moves when only every second sample is kept.
@@ -40,25 +40,35 @@ def onsets(time: Array, values: Array) -> list[float]:
     """
     on = values != 0.0
     first = np.flatnonzero(on[1:] & ~on[:-1]) + 1
-    return [_root_before(time, values, int(i)) for i in first]
+    return [_root_beside(time, values, int(i), 1) for i in first]
 
 
-def _root_before(time: Array, values: Array, i: int) -> float:
-    """The root in [t_{i-1}, t_i] of the parabola, or the line, through the samples that begin at i."""
-    step = time[i] - time[i - 1]
+def ends(time: Array, values: Array) -> list[float]:
+    """Times at which a channel becomes exactly zero: extrapolated forward from its last non-zero samples.
+
+    The mirror of `onsets`, in the step after the last non-zero sample.
+    """
+    on = values != 0.0
+    last = np.flatnonzero(on[:-1] & ~on[1:])
+    return [_root_beside(time, values, int(i), -1) for i in last]
+
+
+def _root_beside(time: Array, values: Array, i: int, along: int) -> float:
+    """The root in the step before sample i of the parabola, or the line, through i and what follows `along` (+-1)."""
+    step = time[i] - time[i - along]
     for points in (3, 2):
-        if i + points > time.size or np.any(values[i : i + points] == 0.0):
+        j = i + along * np.arange(points)
+        if not 0 <= j[-1] < time.size or np.any(values[j] == 0.0):
             continue
-        s = (time[i : i + points] - time[i]) / step
-        roots = np.roots(np.polyfit(s, values[i : i + points], points - 1))
+        s = (time[j] - time[i]) / step
+        roots = np.roots(np.polyfit(s, values[j], points - 1))
         # A force that begins without a kink has a double root, which round-off makes a complex pair.
         real = roots[np.abs(roots.imag) < 1e-3].real
         inside = real[(real >= -1.0 - ROUND_OFF) & (real <= ROUND_OFF)]
         if inside.size:
             return float(time[i] + step * np.clip(inside.max(), -1.0, 0.0))
-    raise EventError(
-        f"begins between {time[i - 1]:.7g} and {time[i]:.7g}, but cannot be located within that step"
-    )
+    what, (first, last) = "begins" if along == 1 else "ends", sorted((time[i - along], time[i]))
+    raise EventError(f"{what} between {first:.7g} and {last:.7g}, but cannot be located within that step")
 
 
 def crossings(time: Array, values: Array, level: float, direction: Direction) -> list[float]:

@@ -1,7 +1,7 @@
 """Declared events and channels of a case -> numbers from a history."""
 
 from vmharness.case import Case
-from vmharness.events import Event, EventError, crossings, find, minima, onsets
+from vmharness.events import Event, EventError, crossings, ends, find, minima, onsets
 from vmharness.history import History, HistoryError
 
 
@@ -13,6 +13,8 @@ def find_event(case: Case, name: str, history: History) -> Event | str:
             return _given(case.evaluate(f"at {name}"), history)
         if event.onset_of:
             return find(onsets, history.time, history[event.onset_of], event.times, event.pick)
+        if event.end_of:
+            return find(ends, history.time, history[event.end_of], event.times, event.pick)
         if event.minimum_of:
             return find(minima, history.time, history[event.minimum_of], event.times, event.pick)
         if event.maximum_of:

@@ -8,13 +8,13 @@ from vmharness.deck.keywords.element_beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIE
 from vmharness.deck.keywords.element_solid import ELEMENT_SOLID
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.constraints.spc import Supports
-from vmharness.explicit.contacts.nodes_to_surface import NodesToSurface
 from vmharness.explicit.elements.discrete.part import Discrete
 from vmharness.explicit.elements.mass import ELEMENT_MASS
 from vmharness.explicit.loads.body import BodyLoad
 from vmharness.explicit.loads.node import NodalLoad
 from vmharness.explicit.loads.segment import Pressure
 from vmharness.explicit.model import Model
+from vmharness.explicit.penalty.contact import Contact
 from vmharness.explicit.shells import shell_faces
 from vmharness.explicit.state import Array
 from vmharness.result import View
@@ -24,7 +24,7 @@ def view_of(deck: Deck, model: Model) -> View:
     """The model before its nodes move."""
     discrete = [force.nodes for force in model.forces if isinstance(force, Discrete)]
     masses = [model.find(table, "nid", table.nid) for table in deck.all(ELEMENT_MASS)]
-    fixed = np.zeros(model.ids.size, bool)
+    count, fixed = model.node_count, np.zeros(model.ids.size, bool)
     for constraint in model.constraints:
         if isinstance(constraint, Supports):
             fixed |= constraint.fixed.any(axis=1)
@@ -33,17 +33,17 @@ def view_of(deck: Deck, model: Model) -> View:
         if isinstance(force, BodyLoad):
             gravity[force.axis] += force.acceleration
     return View(
-        ids=model.ids,
-        x=model.x0,
+        ids=model.ids[:count],
+        x=model.x0[:count],
         shells=shell_faces(deck, model),
         solids=_corners(deck, model, 8, ELEMENT_SOLID),
         beams=_corners(deck, model, 2, ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION),
         discrete=_between_nodes(discrete),
         masses=np.concatenate(masses) if masses else np.zeros(0, np.intp),
-        supports=np.flatnonzero(fixed),
+        supports=np.flatnonzero(fixed[:count]),
         gravity=gravity,
         contacts=tuple(
-            (force.tracked, force.segments) for force in model.forces if isinstance(force, NodesToSurface)
+            (force.tracked, force.segments) for force in model.forces if isinstance(force, Contact)
         ),
         arrows=_arrows(model),
     )

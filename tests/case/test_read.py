@@ -54,7 +54,7 @@ def edited(tmp_path):
         ('length = "in"', 'length = "lbf"', r"\[units\]: "),
         ('onset_of = "contact_force"', 'onset_of = "force"', r"\[events\] impact: no channel force"),
         ('minimum_of = "z"', 'minimum_of = "z", level = "h"', r"\[events\] peak: level and direction go with crossing_of"),
-        ("node = 5, component", "node = 5, contact = 1, component", r"\[channels\] z: needs just one of node, shell"),
+        ("node = 5, component", "node = 5, shell = 1, component", r"\[channels\] z: needs just one of node, shell"),
         ('minimum_of = "z"', 'at = "h"', r"\[events\] peak: at = h: is not a time, but in in"),
         ('minimum_of = "z"', 'at = "t_peak", maximum_of = "z"', r"\[events\] peak: needs just one of at, onset_of"),
         ('minimum_of = "z"', 'at = "t_peek"', r"\[events\] peak: t_peek is not defined here; did you mean t_peak"),

@@ -24,7 +24,7 @@ def test_widths_are_the_formats() -> None:
     assert widths("ELEMENT_SHELL_THICKNESS") == [[8] * 10, [16] * 5]
     assert widths("ELEMENT_MASS") == [[8, 8, 16, 8]]
     assert widths("DEFINE_CURVE") == [[10] * 8, [20, 20]]
-    assert widths("PART") == [[70], [10] * 8]
+    assert widths("PART") == [[70], [10] * 8, [10] * 6, [10] * 6, [10] * 6, [10] * 7]
     eight = [
         name
         for name in VOCABULARY
@@ -139,7 +139,7 @@ def test_output_requests_are_read_and_said(deck: Read) -> None:
         ("*CONTROL_TERMINATION\n0.0\n", "3: *CONTROL_TERMINATION: ENDTIM = 0.0: must be greater than 0"),
         ("*CONTROL_TIMESTEP\n,,3\n", "3: *CONTROL_TIMESTEP: ISDO = 3: only 0, 1 and 2 are supported"),
         ("*CONTROL_TIMESTEP\n,,,,,,1\n", "3: *CONTROL_TIMESTEP: ERODE = 1: only 0 is supported"),
-        ("*CONTROL_CONTACT\n,,,1\n\n", "3: *CONTROL_CONTACT: SHLTHK = 1: only 0 is supported"),
+        ("*CONTROL_CONTACT\n,,,3\n\n", "3: *CONTROL_CONTACT: SHLTHK = 3: only 0, 1 and 2 are supported"),
         ("*CONTROL_CONTACT\n0.1\n", "3: *CONTROL_CONTACT: card 2 is missing (USRSTR, USRFRC, NSBCS, INTERM"),
         ("*CONTROL_SHELL\n,,,2\n", "3: *CONTROL_SHELL: ISTUPD = 2: only 0 and 1 are supported"),
         ("*CONTROL_SHELL\n\n1.0\n", "4: *CONTROL_SHELL: a line too many"),

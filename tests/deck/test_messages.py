@@ -44,7 +44,6 @@ KNOWN = {k.name: k for k in (MAT, MAT2, SHELL, TABLE, CONTROL)} | {"MAT_001": MA
         ("*MAT_ELASTIC\n1,&q,1.\n", "3: *MAT_ELASTIC: RO = &q: undefined parameter"),
         ("*SHELL\n        17\n", "3: *SHELL: ELFORM = 17: only 2 and 16 are supported"),
         ("*SHELL\n2,C\n", "3: *SHELL: LABEL = C: only A and B are supported"),
-        ("*SHELL\n2,ABCDEFGHIJKLMNOPQRSTU\n", "3: *SHELL: LABEL = ABCDEFGHIJKLMNOPQRSTU: more than 20 characters"),
         ("*SHELL\n2,A,5\n", "3: *SHELL: more than the 2 items of this card"),
         ("*SHELL\n         2         A      5\n", "3: *SHELL: text beyond the last field, which ends in column 20"),
         ("*SHELL\n         2\n\n         3\n", "5: *SHELL: a line too many; the keyword has one line here"),

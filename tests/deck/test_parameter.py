@@ -104,3 +104,8 @@ def test_message(deck: Read, content: str, message: str) -> None:
     with pytest.raises(DeckError) as error:
         deck(content, known=KNOWN)
     assert str(error.value).startswith(f"deck.k:{message}")
+
+
+def test_a_value_after_a_comma_may_have_any_number_of_characters(deck: Read) -> None:
+    found = deck("*PARAMETER\nR third,0.333333333333333333333333333333\n", known=KNOWN)
+    assert found.parameters == {"third": 1 / 3}

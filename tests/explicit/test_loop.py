@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from vmharness.deck import DeckError
 from vmharness.explicit import energy
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.loop import steps
@@ -157,3 +158,19 @@ def test_nothing_that_sets_a_step_is_an_error(deck):
     model = build(deck("*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*NODE\n1,0,0,0\n*ELEMENT_MASS\n1,1,1.0\n"))
     with pytest.raises(SolverError, match="nothing that sets it"):
         list(steps(model))
+
+
+@pytest.mark.parametrize(
+    ("asked", "message"),
+    [
+        (
+            "*DATABASE_HISTORY_NODE\n1,2\n3,99\n",
+            r"deck\.k:25: \*DATABASE_HISTORY_NODE: IDS = 99: no \*NODE 99",
+        ),
+        ("*DATABASE_HISTORY_NODE_ID\n99,tip\n", r"ID1 = 99: no \*NODE 99"),
+    ],
+)
+def test_a_history_of_a_node_that_is_not_there_is_an_error(wall_and, asked, message):
+    with pytest.raises(DeckError, match=message):
+        wall_and(asked)
+    wall_and(asked.replace("99", "4"))

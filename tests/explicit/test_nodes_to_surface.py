@@ -7,8 +7,8 @@ import pytest
 
 from vmharness.deck import DeckError
 from vmharness.explicit import energy, probe
-from vmharness.explicit.contacts.nodes_to_surface import NodesToSurface
 from vmharness.explicit.loop import steps
+from vmharness.explicit.penalty.contact import Contact
 
 K_WALL = math.sqrt(2.0)  # K A / d of the wall, before SLSFAC
 
@@ -42,7 +42,7 @@ def falling(vz=-1.0, nid=5):
 
 def contact_of(model):
     """The only contact of a model."""
-    return next(force for force in model.forces if isinstance(force, NodesToSurface))
+    return next(force for force in model.forces if isinstance(force, Contact))
 
 
 def deepest(model):
@@ -107,7 +107,7 @@ def test_segment_set_is_one_sided_as_given_unless_orien_is_2(wall_and):
 
 def test_a_segment_without_a_shell_is_an_error(wall_and):
     wrong = "*SET_SEGMENT\n7\n1,2,3,5\n"
-    with pytest.raises(DeckError, match=r"\*SET_SEGMENT: N1 = 1: no shell has the nodes of this segment"):
+    with pytest.raises(DeckError, match=r"\*SET_SEGMENT: N1 = 1: no shell and no face of a solid has the nodes"):
         wall_and(ball() + wrong + contact(surfb="7", kind=0))
 
 
@@ -165,15 +165,15 @@ def test_penopt_takes_the_softer_of_segment_and_tracked_shell(wall_and):
     text = FREE_PLATE.replace("5.0", "0.001") + "*SET_NODE_LIST\n2\n11,12,13,14\n"
     for sfsa, sfsb, factor in ((1.0, 0.25, 0.25), (0.5, 1.0, 0.5)):
         model = wall_and(text + contact(sfsa=sfsa, sfsb=sfsb), end=1.0)
-        force = contact_of(model)
-        k = np.minimum(force.stiffness[0], force.nodal)
+        (one,) = contact_of(model).passes
+        k = np.minimum(one.segments["penalty"], one.nodes["penalty"])
         np.testing.assert_allclose(k, factor * K_WALL)
 
 
 def test_unsupported_options_name_field_and_value(wall_and):
     with pytest.raises(
-        DeckError, match=r"deck.k:\d+: \*CONTACT_NODES_TO_SURFACE: FS = 0.3: only 0.0 is supported"
+        DeckError, match=r"deck.k:\d+: \*CONTACT_NODES_TO_SURFACE: SABOXID = 3: only 0 is supported"
     ):
-        wall_and(ball() + contact().replace("2,1,4,3\n\n", "2,1,4,3\n0.3\n"))
+        wall_and(ball() + contact().replace("2,1,4,3\n\n", "2,1,4,3,3\n\n"))
     with pytest.raises(DeckError, match=r"SURFA = 9: .*no \*SET_NODE.* with SID = 9; defined: 2"):
         wall_and(ball() + contact().replace("2,1,4,3\n", "9,1,4,3\n"))

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError
+from vmharness.explicit import probe
 from vmharness.explicit.loop import steps
 
 # Free squares of sides 1 and 0.5 beside the wall of side 2: L/c = L/sqrt(3/rho).
@@ -30,8 +31,8 @@ def taken(model):
     return np.diff([s.t for s in steps(model)])
 
 
-def timestep(dtinit=0.0, dt2ms=0.0, lctm=0, ms1st=0):
-    return f"*CONTROL_TIMESTEP\n{dtinit},{TSSFAC},0,0.0,{dt2ms},{lctm},0,{ms1st}\n"
+def timestep(dtinit=0.0, dt2ms=0.0, lctm=0, ms1st=0, tssfac=TSSFAC):
+    return f"*CONTROL_TIMESTEP\n{dtinit},{tssfac},0,0.0,{dt2ms},{lctm},0,{ms1st}\n"
 
 
 def side_step(side, density=1e-4):
@@ -82,7 +83,10 @@ def test_mass_scaling_leaves_what_is_slow_enough(wall_and):
     ("card", "message"),
     [
         (timestep(dt2ms=1e-3), r"DT2MS = 0.001: one step for all elements is not supported"),
-        (timestep(dt2ms=-1e-3), r"MS1ST = 0: mass scaling during the run is not supported"),
+        (
+            "*BOUNDARY_PRESCRIBED_MOTION_NODE\n15,1,0,1,1.0,0,0.5\n" + timestep(dt2ms=-1e-3),
+            r"MS1ST = 0: not supported with prescribed motion 1, which is not throughout",
+        ),
         (timestep(lctm=7), r"LCTM = 7: no \*DEFINE_CURVE with LCID = 7"),
         (
             "*DEFINE_CURVE\n2\n0.0,1.0\n5.0,0.0\n" + timestep(lctm=2),
@@ -93,3 +97,109 @@ def test_mass_scaling_leaves_what_is_slow_enough(wall_and):
 def test_what_is_refused(wall_and, card, message):
     with pytest.raises(DeckError, match=message):
         wall_and(SMALL + card)
+
+
+# A bar and a beam of length 1, far from the wall: sqrt(L L_0)/c and L/c with c = sqrt(E/rho) = 100, the smallest steps.
+BARS = """*NODE
+21,5,5,5
+22,6,5,5
+23,7,5,5
+24,8,5,5
+25,7,6,5
+*PART
+bar
+3,3,3
+*PART
+beam
+4,4,3
+*SECTION_BEAM
+3,3
+0.2
+*SECTION_BEAM
+4,2
+0.2,1e-4,1e-4,2e-4
+*MAT_ELASTIC
+3,1e-3,10.0,0.0
+*ELEMENT_BEAM
+3,3,21,22
+4,4,23,24,25
+*ELEMENT_MASS
+1,21,3e-4
+"""
+
+
+@pytest.mark.parametrize("ms1st", [0, 1])
+def test_bars_and_beams_are_scaled(wall_and, ms1st):
+    rest = "*BOUNDARY_SPC_NODE\n25,0,1,1,1,1,1,1\n"
+    plain = wall_and(BARS + rest + timestep())
+    model = wall_and(BARS + rest + timestep(dt2ms=-0.02, ms1st=ms1st), end=0.2)
+    np.testing.assert_allclose(taken(plain), TSSFAC * 0.01, rtol=1e-12)
+    np.testing.assert_allclose(taken(model), TSSFAC * 0.02, rtol=1e-12)
+    phi, rows = 4.0, np.searchsorted(model.ids, [21, 22, 23, 24])
+    own = 1e-3 * 0.2 / 2  # of each node
+    np.testing.assert_allclose((model.state.mass - plain.state.mass)[rows], (phi - 1) * own, rtol=1e-12)
+    inertia = plain.state.inertia[rows]
+    assert (inertia[2:] > 0.0).all()
+    np.testing.assert_allclose(model.state.inertia[rows], phi * inertia, rtol=1e-12)
+    assert sum("Mass added" in name for name in model.facts) == 3  # with the wall
+    assert model.facts["Mass added to trusses of part 3"] == f"{6 * own:.6g} (300 %), at 1 of 1 elements"
+
+
+def test_springs_are_not_scaled_and_it_is_said(wall_and):
+    spring = """*PART
+spring
+5,5,5
+*SECTION_DISCRETE
+5,0
+
+*MAT_SPRING_ELASTIC
+5,50.0
+*ELEMENT_DISCRETE
+5,5,11,12
+"""
+    model = wall_and(SMALL + spring + timestep(dt2ms=-1e-3, ms1st=1))
+    assert "springs and dampers" in model.facts["Mass scaling"]
+
+
+def test_mass_added_during_the_run_keeps_momentum_and_its_energy_is_accounted_for(wall_and):
+    """A free bar and a free beam whose ends run into each other: shorter and shorter, until they bounce."""
+    flight = "".join(
+        f"*INITIAL_VELOCITY_NODE\n{nid},{v},0.0,0.0\n"
+        for nid, v in ((21, 3.0), (22, -4.0), (23, 1.0), (24, -4.0))
+    )
+    rest = "*BOUNDARY_SPC_NODE\n25,0,1,1,1,1,1,1\n"
+    aim = 0.0099
+    model = wall_and(BARS + flight + rest + timestep(dt2ms=-aim, tssfac=0.02), end=0.02)
+    s, rows = model.state, np.searchsorted(model.ids, [21, 22, 23, 24])
+    total, momentum, mass, step = probe.energies(model, "total"), [], [], []
+    energy = []
+    for _ in steps(model):
+        v = s.v[rows, 0] + 0.5 * s.dt * s.a[rows, 0]
+        momentum.append([s.mass[rows[:2]] @ v[:2], s.mass[rows[2:]] @ v[2:]])
+        mass.append(s.mass[rows].copy())
+        energy.append(total())
+        step.append(s.dt)
+    gained = mass[-1] / mass[0]
+    assert (gained[1:] > 1.02).all()
+    np.testing.assert_allclose(momentum, np.broadcast_to(momentum[0], (len(momentum), 2)), rtol=1e-12)
+    assert model.constraints[-1].energy["damping"][0] > 0.002 * energy[0]
+    assert np.ptp(energy) < 1e-3 * energy[0]
+    assert min(step[1:]) > 0.999 * 0.02 * aim
+
+
+def test_a_prescribed_motion_drags_the_new_mass_along(wall_and):
+    """An end that is driven keeps its velocity; the work that its new mass takes is external."""
+    drive = "*BOUNDARY_PRESCRIBED_MOTION_NODE\n22,1,0,1,-2.0\n"
+    rest = "*BOUNDARY_SPC_NODE\n21,0,1,1,1,1,1,1\n23,0,1,1,1,1,1,1\n24,0,1,1,1,1,1,1\n25,0,1,1,1,1,1,1\n"
+    model = wall_and(BARS + drive + rest + timestep(dt2ms=-0.0099), end=0.2)
+    total, work = probe.energies(model, "total"), probe.energies(model, "external work")
+    energy = np.array([(total(), work()) for _ in steps(model)])
+    row = int(np.searchsorted(model.ids, 22))
+    assert model.state.v[row, 0] == pytest.approx(-2.0, rel=1e-12)
+    scaling = model.constraints[-1]
+    gained = model.state.mass[row] - 1e-4
+    assert gained > 2e-5
+    assert scaling.energy["external work"][0] == pytest.approx(0.5 * gained * 4.0, rel=1e-9)
+    assert scaling.energy["damping"][0] == 0.0
+    put_in = energy[0, 0] + energy[:, 1]
+    np.testing.assert_allclose(energy[:, 0], put_in, rtol=1e-3)

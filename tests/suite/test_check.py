@@ -39,6 +39,7 @@ def test_the_case_of_the_manual_is_sound():
         ("deck.k", r"(?m)^       2       5    ", "       2       6    ", r"deck.k:\d+.*no \*NODE 6"),
         ("case.toml", r"(?m)^z +=.*?5", "z = { node = 7", r"\[channels\] z: no node 7 in the deck"),
         ("case.toml", "contact = 1,", "contact = 2,", r"\[channels\] contact_force: no contact 2; there are: 1"),
+        ("case.toml", "contact = 1,", "wall = 1,", r"\[channels\] contact_force: no rigid wall 1; there are: none"),
         ("case.toml", r'must_fail = \["t_peak", "z_peak"\]', 'must_fail = ["t_impact", "z_peak"]',
          r"\[faults\] 1 \(Surface 1 % too stiff\): t_impact must fail, but theory moves it by 0 of its tolerance only"),
         ("case.toml", r'h = "\+0.1 %"', 'h = "+0.00001 %"',

@@ -102,12 +102,16 @@ def probe_of(model: Model, channel: Channel) -> Probe:
     component = channel.component or ""
     if channel.energy is not None:
         return probe.energies(model, channel.energy, channel.part)
+    if channel.contact is not None:
+        return probe.contact(model, channel.contact, component, channel.node)
     if channel.node is not None:
         return probe.node(model, channel.node, component)
-    if channel.contact is not None:
-        return probe.contact(model, channel.contact, component)
+    if channel.wall is not None:
+        return probe.wall(model, channel.wall, component)
+    if channel.centre is not None:
+        return probe.centre(model, None if channel.centre == "all" else channel.centre, component)
     if channel.support is not None:
-        return probe.support(model, component)
+        return probe.support(model, component, None if channel.support == "all" else channel.support)
     if channel.motion is not None:
         return probe.motion(model, channel.motion, component)
     kind = next(kind for kind in ("shell", "solid", "beam", "discrete") if getattr(channel, kind) is not None)
@@ -116,7 +120,7 @@ def probe_of(model: Model, channel: Channel) -> Probe:
 
 def _facts(model: Model, history: History) -> dict[str, str]:
     steps_taken = np.diff(history.time)
-    facts = {"Nodes": str(model.ids.size), "Cycles": str(model.state.cycle)}
+    facts = {"Nodes": str(model.node_count), "Cycles": str(model.state.cycle)}
     if steps_taken.size:
         facts["Time step"] = f"{steps_taken.min():.6g} to {steps_taken.max():.6g}, {model.controlling()}"
     return facts | model.facts

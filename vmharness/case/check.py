@@ -99,7 +99,7 @@ class Checks:
             if name == "time":
                 raise self.wrong(place, "time is always there; choose another name")
             of = [key for key in OWNERS if getattr(channel, key) is not None]
-            if len(of) != 1:
+            if len(of) != 1 and of != ["node", "contact"]:
                 raise self.wrong(place, f"needs just one of {', '.join(OWNERS)}")
             if channel.part is not None and of != ["energy"]:
                 raise self.wrong(place, "part goes with energy only")

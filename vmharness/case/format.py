@@ -60,16 +60,28 @@ class Channel(Table, frozen=True):
     point: Annotated[Count, Meta(description="Integration point of the element, from 1")] = 1
     part: Annotated[int | None, Meta(description="Part whose energy it is, else the whole model's")] = None
     contact: Annotated[
-        int | None, Meta(description="CID of the contact, or its place among the contacts")
+        int | None,
+        Meta(
+            description="CID of the contact, or its place among the contacts; with node, the force on that node"
+        ),
     ] = None
-    support: Annotated[Literal["all"] | None, Meta(description="Reactions of all supports together")] = None
+    support: Annotated[
+        Literal["all"] | int | None, Meta(description="Reactions of all supports together, or of that at a node")
+    ] = None
+    wall: Annotated[int | None, Meta(description="ID of the rigid wall, or its place among the walls")] = None
+    centre: Annotated[
+        int | Literal["all"] | None,
+        Meta(description="Part whose centre of mass it is, or all: x-momentum, ..."),
+    ] = None
     motion: Annotated[int | None, Meta(description="Number of the prescribed motion in the deck's order")] = (
         None
     )
     energy: Annotated[str | None, Meta(description="kinetic, contact, external work, total, ratio, ...")] = (
         None
     )
-    component: Annotated[str | None, Meta(description="z-displacement, z-velocity, z-force, ...")] = None
+    component: Annotated[str | None, Meta(description="z-displacement, z-velocity, z-force, nodes, ...")] = (
+        None
+    )
 
 
 class Event(Table, frozen=True):
@@ -77,6 +89,7 @@ class Event(Table, frozen=True):
 
     title: Text
     onset_of: Name | None = None
+    end_of: Name | None = None
     crossing_of: Name | None = None
     minimum_of: Name | None = None
     maximum_of: Name | None = None
@@ -232,7 +245,7 @@ class CaseFile(Table, frozen=True):
     files: Annotated[list[Text], Meta(description="Further input files to offer beside the deck")] = []
 
 
-EVENTS = ("at", "onset_of", "crossing_of", "minimum_of", "maximum_of")
+EVENTS = ("at", "onset_of", "end_of", "crossing_of", "minimum_of", "maximum_of")
 OWNERS = (
     "node",
     "shell",
@@ -240,6 +253,8 @@ OWNERS = (
     "beam",
     "discrete",
     "contact",
+    "wall",
+    "centre",
     "support",
     "motion",
     "energy",

@@ -75,8 +75,6 @@ class Field:
             return to_integer(item)
         if self.kind == "real":
             return to_real(item)
-        if len(item) > max(self.width, LONG_WIDTH):
-            raise ValueError(f"more than {max(self.width, LONG_WIDTH)} characters")
         return item.upper() if self.choices else item
 
 

@@ -19,7 +19,8 @@ class Keyword:
     - `repeat`: groups follow each other until the block ends, one entry each.
     - `table`: the cards are one row of a table, one entry for the block, its fields are arrays.
     - `one_line`: a card that may stand for all cards of a row, known by a first line too long for the first card.
-    - `options`: suffixes that put a card before each group: "TITLE" and "ID", or a mapping of suffix to card.
+    - `options`: suffixes that put a card before each group: "TITLE" and "ID", or a mapping of suffix to card. One of
+      a card without fields puts none: it serves those `when` the suffix is there.
     - `aliases`: other names of the same keyword.
     - `unique`: the field that names what the entry defines; `kind` is what must not have two of the same name
       (several keywords may define one kind: all materials share "mid").
@@ -75,7 +76,7 @@ class Keyword:
 
     def group(self, option: str) -> tuple[Card, ...]:
         """The cards of one group, the option's card first."""
-        return (self.options[option], *self.cards) if option else self.cards
+        return (self.options[option], *self.cards) if option and self.options[option].fields else self.cards
 
     def names(self) -> list[str]:
         """Every name under which the keyword may stand in a deck."""
@@ -98,4 +99,5 @@ class Keyword:
                 if not name.startswith("_")
             )
             for card in (*self.options.values(), *self.cards, *self.rows)
+            if card.fields
         ]

@@ -74,6 +74,9 @@ def state_of(event: Event, sampled: History) -> int | None:
     if event.onset_of:
         on = np.flatnonzero(sampled[event.onset_of] != 0.0)
         return int(on[0]) if on.size else None
+    if event.end_of:
+        on = np.flatnonzero(sampled[event.end_of] != 0.0)
+        return int(on[-1]) if on.size else None
     if event.minimum_of:
         return int(np.argmin(sampled[event.minimum_of]))
     if event.maximum_of:

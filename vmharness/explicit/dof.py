@@ -3,9 +3,19 @@
 from vmharness.deck import Entry
 from vmharness.deck.field import integer
 
+CODES = ("", "x", "y", "z", "xy", "yz", "zx", "xyz")
 DOF = integer(choices=(1, 2, 3, 5, 6, 7))  # along x, y, z; about x, y, z
 
 
 def place(entry: Entry) -> int:
     """The entry's DOF as a column of (n, 6) arrays: x, y, z and the rotations about them."""
     return int(entry.dof - 1 if entry.dof < 4 else entry.dof - 2)
+
+
+def coded(code: int) -> list[int]:
+    """The axes of a constraint code, as TC and RC of *NODE have it: none, x, y, z, xy, yz, zx, xyz.
+
+    >>> coded(6)
+    [2, 0]
+    """
+    return ["xyz".index(axis) for axis in CODES[code]]

@@ -8,7 +8,15 @@ from vmharness.explicit.force import Force
 from vmharness.explicit.state import Array, State
 
 # Stored or dissipated: with the kinetic energy, the total. See `ratio`.
-STORED = ("internal", "spring and damper", "hourglass", "contact", "damping")
+STORED = (
+    "internal",
+    "spring and damper",
+    "hourglass",
+    "contact",
+    "friction",
+    "damping",
+    "rigid wall",
+)
 
 
 def kinetic(state: State) -> float:
@@ -22,11 +30,13 @@ class KineticEnergy:
 
     def __init__(self, state: State) -> None:
         self.state, self.cycle, self.value = state, -1, 0.0
+        self.others: list[Array] = []  # accounts (1,) of what is not in the state's inertia: rigid bodies
 
     def __call__(self) -> float:
         """1/2 sum m v_n^2 + I omega_n^2; to be asked for while the time loop shows its state."""
         if self.cycle != self.state.cycle:
-            self.cycle, self.value = self.state.cycle, kinetic(self.state)
+            others = sum([account.item() for account in self.others])
+            self.cycle, self.value = self.state.cycle, kinetic(self.state) + others
         return self.value
 
 

@@ -43,7 +43,7 @@ class Elements(Force, Protocol):
 
 @runtime_checkable
 class Scalable(Elements, Protocol):
-    """Elements whose density can be raised, each by its own factor, before the run begins.
+    """Elements whose density can be raised, each by its own factor.
 
     All nodes of an element take the same share of its mass and rotary inertia.
     """
@@ -53,7 +53,18 @@ class Scalable(Elements, Protocol):
     inertia: Array  # (ne,)
 
     def steps(self, x: Array) -> Array:
-        """The stable step (ne,) of each element at coordinates `x` and the material's density."""
+        """The stable step (ne,) of each element at coordinates `x` (n, 3) and its density."""
 
     def densify(self, factor: Array) -> None:
-        """Take the densities as `factor` (ne,) times the material's: steps are sqrt(factor) times as long."""
+        """Raise the densities by `factor` (ne,): from the next `add` on, steps are sqrt(factor) times as long."""
+
+
+@runtime_checkable
+class Dampable(Elements, Protocol):
+    """Elements that take stiffness damping: explicit/damping/stiffness."""
+
+    def steps(self, x: Array) -> Array:
+        """The stable step (ne,) of each element at coordinates `x` (n, 3), undamped."""
+
+    def damp(self, beta: Array) -> None:
+        """Add to the stress of the law `beta` (ne,) times its rate; to be asked for before the first step."""

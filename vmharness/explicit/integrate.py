@@ -1,6 +1,6 @@
 """The steps of the time loop over all nodes, as kernels. Arrays are (n, 3), inverse masses (n,)."""
 
-from vmharness.explicit.compiled import kernel
+from vmharness.explicit.compiled import concurrent, kernel
 from vmharness.explicit.state import Array
 
 
@@ -13,7 +13,7 @@ def clear(f: Array, moment: Array) -> None:
             moment[i, j] = 0.0
 
 
-@kernel
+@concurrent
 def accelerate(
     a: Array, alpha: Array, f: Array, moment: Array, inverse_mass: Array, inverse_inertia: Array
 ) -> float:
@@ -30,7 +30,7 @@ def accelerate(
     return size
 
 
-@kernel
+@concurrent
 def advance_velocity(v: Array, omega: Array, a: Array, alpha: Array, dt: float) -> None:
     """v += dt a, omega += dt alpha."""
     for i in range(v.shape[0]):
@@ -39,7 +39,7 @@ def advance_velocity(v: Array, omega: Array, a: Array, alpha: Array, dt: float) 
             omega[i, j] += dt * alpha[i, j]
 
 
-@kernel
+@concurrent
 def advance_position(x: Array, v: Array, dt: float) -> None:
     """x += dt v."""
     for i in range(x.shape[0]):

@@ -8,6 +8,7 @@ from vmharness.explicit.error import SolverError
 from vmharness.explicit.integrate import accelerate, advance_position, advance_velocity, clear
 from vmharness.explicit.model import Model
 from vmharness.explicit.state import State
+from vmharness.explicit.threads import Crew
 
 MOST_CYCLES = 1e11  # a run that would take more has a step that is as good as none
 
@@ -23,13 +24,15 @@ def steps(model: Model) -> Iterator[State]:
     `probe` bring the velocity to t_n. Raises SolverError where the step vanishes or the motion is no longer finite.
     """
     s, balance, shortest = model.state, Balance(model), 0.0
+    crew = Crew(model.forces, s, model.ncpu)
     while True:
         clear(s.f, s.moment)
-        for force in model.forces:
-            force.add(s)
+        crew.add_forces()
 
-        size = accelerate(s.a, s.alpha, s.f, s.moment, model.inverse_mass, model.inverse_inertia)
-        if not math.isfinite(size):
+        sizes = crew.over_nodes(
+            accelerate, s.a, s.alpha, s.f, s.moment, model.inverse_mass, model.inverse_inertia
+        )
+        if not math.isfinite(sum(sizes)):
             raise SolverError(s, "the motion is no longer finite: the run has diverged", model.wildest())
         for constraint in model.constraints:
             constraint.accelerate(s)
@@ -43,11 +46,11 @@ def steps(model: Model) -> Iterator[State]:
         dt = model.next_step()
         check_step(model, dt, shortest)
         shortest = shortest or model.dtmin * dt
-        advance_velocity(s.v, s.omega, s.a, s.alpha, 0.5 * (s.dt + dt))
+        crew.over_nodes(advance_velocity, s.v, s.omega, s.a, s.alpha, 0.5 * (s.dt + dt))
         for constraint in model.constraints:
             constraint.move(s, dt)
 
-        advance_position(s.x, s.v, dt)
+        crew.over_nodes(advance_position, s.x, s.v, dt)
         s.t, s.dt, s.cycle = s.t + dt, dt, s.cycle + 1
 
 

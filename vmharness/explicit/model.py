@@ -14,24 +14,30 @@ from vmharness.deck.keywords.node import NODE
 from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.energy import KineticEnergy
 from vmharness.explicit.force import Force
+from vmharness.explicit.rigid.numbers import numbers
 from vmharness.explicit.state import Array, State
+from vmharness.explicit.threads import ncpu
 
 # Folders whose modules each add to the model by `build(deck, model)`. Supports come late: they overrule velocities.
-# Damping comes after them: it acts on the accelerations that all others have left. Mass scaling needs all elements.
-PARTS = ("elements", "contacts", "loads", "initial", "constraints", "damping", "timestep")
+# Damping comes after them: it acts on the accelerations that all others have left. Rigid walls see what is then left
+# of motion along their normal. Mass scaling needs all elements, and rigid bodies need all mass.
+PARTS = (
+    "elements", "contacts", "loads", "initial", "constraints", "damping", "walls", "timestep", "bodies",
+)  # fmt: skip
 
 
 @dataclass
 class Model:
     """Nodes with mass, what pushes on them, and what rules their motion; consistent units."""
 
-    ids: NDArray[np.int64]  # (n,) node numbers of the deck, by row of the state's arrays
+    ids: NDArray[np.int64]  # (n,) node numbers of the deck, by row of the state's arrays; see `centre`
     x0: Array  # (n, 3) initial coordinates
     state: State
     end_time: float
     end_cycle: int
     step_factor: float  # TSSFAC
     order: NDArray[np.intp]  # (n,) rows in the order of their numbers
+    ncpu: int = 1  # threads that compute the elements
     dtmin: float = 0.0  # the run ends with an error below this fraction of its first step
     caps: list[Callable[[float], float]] = field(default_factory=list)  # t -> the longest step allowed
     facts: dict[str, str] = field(default_factory=dict)  # what building it did and a reader must know
@@ -49,9 +55,18 @@ class Model:
         With `ground`, the number 0 is no node but the ground: row -1.
         """
         rows = np.where(ground & (ids == 0), -1, self._nearest(ids))
-        for index in np.flatnonzero((self.ids[rows] != ids) & (rows >= 0)):
+        for index in np.flatnonzero(((self.ids[rows] != ids) | (ids < 0)) & (rows >= 0)):
             raise entry.error(name, f"no *NODE {ids[index]}", int(index))
         return rows
+
+    def centre(self, number: int) -> int:
+        """The row of the centre of a rigid body: after those of the nodes, numbered by the body's number negated."""
+        return int(self._nearest(-number))
+
+    @property
+    def node_count(self) -> int:
+        """How many rows are nodes of the deck."""
+        return int(np.count_nonzero(self.ids > 0))
 
     def corners(self, table: Entry, names: Sequence[str], ground: bool = False) -> NDArray[np.intp]:
         """Rows (m, corners) of the nodes that the columns `names` of a table give; see `find`."""
@@ -60,7 +75,7 @@ class Model:
     def row(self, entry: Entry, name: str, nid: int, index: int | None = None) -> int:
         """The row of node `nid`; raises DeckError naming the card and field that refer to it."""
         row = int(self._nearest(nid))
-        if self.ids[row] != nid:
+        if self.ids[row] != nid or nid < 0:
             raise entry.error(name, f"no *NODE {nid}", index)
         return row
 
@@ -82,7 +97,8 @@ class Model:
     def wildest(self) -> str:
         """Which node is accelerated most, or beyond all numbers."""
         largest = np.abs(np.hstack([self.state.a, self.state.alpha])).max(axis=1)
-        return f"first seen at node {self.ids[np.argmax(np.where(np.isnan(largest), np.inf, largest))]}"
+        number = self.ids[np.argmax(np.where(np.isnan(largest), np.inf, largest))]
+        return f"first seen at {'node' if number > 0 else 'rigid body'} {abs(number)}"
 
     def controlling(self) -> str:
         """Which force sets the time step."""
@@ -96,6 +112,7 @@ def build(deck: Deck) -> Model:
         for module in dropins.modules(f"vmharness.explicit.{part}"):
             module.build(deck, model)
     _check_masses(deck, model)
+    _check_histories(deck, model)
     s = model.state
     model.inverse_mass = np.divide(1.0, s.mass, out=np.zeros_like(s.mass), where=s.mass > 0.0)
     model.inverse_inertia = np.divide(1.0, s.inertia, out=np.zeros_like(s.inertia), where=s.inertia > 0.0)
@@ -106,8 +123,11 @@ def _nodes(deck: Deck) -> Model:
     tables = deck.all(NODE)
     if not tables:
         raise DeckError("no *NODE in the deck", str(deck.path.name), 1)
-    ids = np.concatenate([table.nid for table in tables])
-    x = np.concatenate([np.column_stack([table.x, table.y, table.z]) for table in tables])
+    bodies = np.array(numbers(deck), np.int64)
+    ids = np.concatenate([*(table.nid for table in tables), -bodies])
+    x = np.concatenate([
+        *(np.column_stack([table.x, table.y, table.z]) for table in tables), np.zeros((bodies.size, 3))
+    ])  # fmt: skip
     n = ids.size
     state = State(x.copy(), np.zeros((n, 3)), np.zeros((n, 3)), np.zeros(n), np.zeros(n))
     termination = deck.one(CONTROL_TERMINATION)
@@ -120,6 +140,7 @@ def _nodes(deck: Deck) -> Model:
         end_cycle=termination.endcyc or np.iinfo(np.int64).max,
         step_factor=timestep.tssfac if timestep else 0.9,
         dtmin=termination.dtmin,
+        ncpu=ncpu(deck),
         order=np.argsort(ids),
     )
 
@@ -139,3 +160,10 @@ def _check_masses(deck: Deck, model: Model) -> None:
             raise table.error(
                 "nid", f"a free node without mass{others}; give it mass, or support it", int(row)
             )
+
+
+def _check_histories(deck: Deck, model: Model) -> None:
+    """A node whose history the deck asks for must be there: else the name is wrong, or the mesh."""
+    for keyword, ids in (("DATABASE_HISTORY_NODE", "ids"), ("DATABASE_HISTORY_NODE_ID", "id1")):
+        for table in deck.all(keyword):
+            model.find(table, ids, getattr(table, ids))

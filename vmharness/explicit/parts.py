@@ -9,7 +9,9 @@ from numpy.typing import NDArray
 from vmharness.deck import Deck, Entry, Keyword
 from vmharness.deck.keywords.part import PART
 from vmharness.explicit.material import material_of
+from vmharness.explicit.materials.rigid import KEYWORD as MAT_RIGID
 from vmharness.explicit.model import Model
+from vmharness.explicit.threads import shares
 
 Index = NDArray[np.intp]
 
@@ -32,6 +34,11 @@ class Part:
         """The part's number."""
         return int(self.part.pid)
 
+    @property
+    def rigid(self) -> bool:
+        """Whether its material is *MAT_RIGID."""
+        return self.material.keyword is MAT_RIGID
+
     def only(self, chosen: NDArray[np.bool_], corners: int) -> "Part":
         """The `chosen` (ne,) of its elements, with the first of their corners."""
         kept = {name: getattr(self, name)[chosen] for name in ("eid", "table", "row")}
@@ -48,7 +55,7 @@ class Part:
 
 
 def parts(deck: Deck, model: Model, elements: Sequence[Keyword], sections: Keyword) -> Iterator[Part]:
-    """Every part that has such elements, in the order of their first element.
+    """Every part that has such elements, in the order of their first element; a large one in shares for the threads.
 
     `sections` is the *SECTION_... that their part must have.
     """
@@ -65,4 +72,6 @@ def parts(deck: Deck, model: Model, elements: Sequence[Keyword], sections: Keywo
         part = deck.find(PART, pid=one, referred_by=first)
         section = deck.find(sections, secid=part.secid, referred_by=(part, "secid"))
         material = material_of(deck, part)
-        yield Part(part, section, material, eid[chosen], nodes[chosen], number[chosen], row[chosen], tables)
+        for share in shares(chosen.size, model.ncpu):
+            some = chosen[share]
+            yield Part(part, section, material, eid[some], nodes[some], number[some], row[some], tables)

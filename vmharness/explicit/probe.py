@@ -3,15 +3,17 @@
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from vmharness.explicit import energy
 from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.constraints.spc import Supports
-from vmharness.explicit.contacts.nodes_to_surface import NodesToSurface
-from vmharness.explicit.force import Elements, Force
+from vmharness.explicit.force import Elements, Force, Scalable
 from vmharness.explicit.model import Model
+from vmharness.explicit.penalty.contact import Contact
 from vmharness.explicit.state import Array
+from vmharness.explicit.walls.planar.wall import PlanarWall
 
 Probe = Callable[[], float]
 
@@ -39,23 +41,49 @@ def node(model: Model, nid: int, component: str) -> Probe:
     return _choose(probes, quantity, "of a node")
 
 
-def contact(model: Model, number: int, component: str) -> Probe:
-    """A component of the resultant of a contact on its tracked nodes: `z-force`."""
-    contacts = {force.number: force for force in model.forces if isinstance(force, NodesToSurface)}
+def contact(model: Model, number: int, component: str, nid: int | None = None) -> Probe:
+    """A component of a contact: `z-force`, the resultant on surface A; `energy`, `friction energy`, `area`, `nodes`.
+
+    Energy is that of the penalty and its damping, area and number are of the nodes in contact. With `nid`, the force on
+    that tracked node, segments that it is a corner of not counted.
+    """
+    contacts = {force.number: force for force in model.forces if isinstance(force, Contact)}
     if number not in contacts:
         raise ProbeError(f"no contact {number}; there are: {', '.join(map(str, contacts)) or 'none'}")
-    axis, quantity = _split(component)
-    force = contacts[number].force
-    return _choose({"force": lambda: force[axis]}, quantity, "of a contact")
+    found = contacts[number]
+    if nid is not None:
+        places = np.flatnonzero(model.ids[found.tracked] == nid)
+        if not places.size:
+            raise ProbeError(f"no node {nid} among the tracked nodes of contact {number}")
+        on_node = {f"{axis}-force": _summed(found, places, i) for axis, i in AXES.items()}
+        return _choose(on_node, component, "on a node in contact")
+    probes: dict[str, Probe] = {
+        **{f"{axis}-force": found.force[i : i + 1].item for axis, i in AXES.items()},
+        "energy": found.energy["contact"].item,
+        "friction energy": found.energy["friction"].item,
+        "area": found.area,
+        "nodes": found.touching,
+    }
+    return _choose(probes, component, "of a contact")
 
 
-def support(model: Model, component: str) -> Probe:
-    """A component of the sum of all reactions of supports: `z-force`, `x-moment`."""
+def _summed(found: Contact, places: NDArray[np.intp], axis: int) -> Probe:
+    """The sum of the forces on a node that is tracked once, or against both sides."""
+    return lambda: float(found.forces[places, axis].sum())
+
+
+def support(model: Model, component: str, nid: int | None = None) -> Probe:
+    """A component of the sum of all reactions of supports, or of those at one node: `z-force`, `x-moment`."""
     supports = [item for item in model.constraints if isinstance(item, Supports)]
     if not supports:
         raise ProbeError("no support in the deck")
     # One constraint holds all supports of a deck.
-    return _resultant(supports[0].total, component, "of a support")
+    if nid is None:
+        return _resultant(supports[0].total, component, "of a support")
+    rows = np.flatnonzero(model.ids == nid)
+    if not rows.size or not supports[0].fixed[rows[0]].any():
+        raise ProbeError(f"no support at node {nid}")
+    return _resultant(supports[0].reaction[rows[0]], component, "of a support")
 
 
 def motion(model: Model, number: int, component: str) -> Probe:
@@ -64,6 +92,61 @@ def motion(model: Model, number: int, component: str) -> Probe:
     if not 1 <= number <= len(motions):
         raise ProbeError(f"no prescribed motion {number}; the deck has {len(motions)}")
     return _resultant(motions[number - 1].total, component, "of a prescribed motion")
+
+
+def wall(model: Model, number: int, component: str) -> Probe:
+    """A component of what a rigid wall exerts on all nodes, or of its motion: `x-force`, `normal-velocity`.
+
+    Along x, y, z or the wall's normal. `impulse` is all that the nodes have received.
+    """
+    walls = {item.number: item for item in model.constraints if isinstance(item, PlanarWall)}
+    if number not in walls:
+        raise ProbeError(f"no rigid wall {number}; there are: {', '.join(map(str, walls)) or 'none'}")
+    found, s = walls[number], model.state
+    along, _, quantity = component.partition("-")
+    axis = found.normal if along == "normal" else np.eye(3)[_split(component)[0]]
+    share = float(axis @ found.normal)
+    probes: dict[str, Probe] = {
+        "force": lambda: float(axis @ found.force),
+        "impulse": lambda: float(axis @ found.impulse),
+        "displacement": lambda: share * float(found.motion[0]),
+        "velocity": lambda: share * found.velocity(s),
+    }
+    return _choose(probes, quantity, "of a rigid wall")
+
+
+def centre(model: Model, part: int | None, component: str) -> Probe:
+    """A component of the motion of the centre of mass, of the model or of a part: `x-velocity`, `x-momentum`.
+
+    A part has the mass of its elements alone.
+    """
+    mass = model.state.mass if part is None else _mass_of(model, part)
+    total = float(mass.sum())
+    if total == 0.0:
+        raise ProbeError(
+            f"no elements with mass in part {part}" if part is not None else "no mass in the deck"
+        )
+    axis, quantity = _split(component)
+    s, share, x0 = model.state, mass / total, model.x0[:, axis]
+
+    def velocity() -> float:
+        return float(share @ (s.v[:, axis] + 0.5 * s.dt * s.a[:, axis]))
+
+    probes: dict[str, Probe] = {
+        "displacement": lambda: float(share @ (s.x[:, axis] - x0)),
+        "velocity": velocity,
+        "momentum": lambda: total * velocity(),
+    }
+    return _choose(probes, quantity, "of a centre of mass")
+
+
+def _mass_of(model: Model, part: int) -> Array:
+    """What each node (n,) has of the mass of a part."""
+    mass = np.zeros(model.ids.size)
+    for force in model.forces:
+        if isinstance(force, Scalable) and force.pid == part:
+            np.add.at(mass, force.nodes, force.mass[:, None])
+    return mass
 
 
 def _resultant(total: Array, component: str, of: str) -> Probe:

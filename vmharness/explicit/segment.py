@@ -1,125 +1,167 @@
-"""Geometry of a bilinear segment r(xi, eta) = sum N_i x_i, N_i = (1 + xi_i xi)(1 + eta_i eta)/4."""
+"""Geometry of a segment r(xi, eta) = sum N_i x_i: a bilinear quadrilateral, or a flat triangle.
+
+    quadrilateral   N_i = 1/4 (1 + xi_i xi)(1 + eta_i eta)        -1 <= xi, eta <= 1
+    triangle        N = (1 - xi - eta, xi, eta, 0)                0 <= xi, eta, xi + eta <= 1
+
+Its normal is r,xi x r,eta. `c` are the four corners; a triangle repeats its third, which takes no share of its own.
+"""
+
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.compiled import kernel
 from vmharness.explicit.state import Array
+from vmharness.explicit.vector import Vector, add, cross, dot, inlined, scale, subtract, unit
 
-Index = NDArray[np.intp]
+Corners: TypeAlias = tuple[Vector, Vector, Vector, Vector]
+Weights: TypeAlias = tuple[float, float, float, float]
 
-XI = (-1.0, 1.0, 1.0, -1.0)
-ETA = (-1.0, -1.0, 1.0, 1.0)
 ITERATIONS = 20
-MAXPAR = 1.025  # a segment reaches this far in xi and eta, so that no node slips through between two
+CONVERGED = 1e-13  # in xi and eta
 
 
-@kernel
-def shape(i: int, xi: float, eta: float) -> float:
+@inlined
+def at(field: Array, row: int) -> Vector:
+    """The vector of a field (n, 3) at a row."""
+    return field[row, 0], field[row, 1], field[row, 2]
+
+
+@inlined
+def corners(field: Array, nodes: NDArray[np.intp]) -> Corners:
+    """The vectors of a field (n, 3) at the four nodes."""
+    return at(field, nodes[0]), at(field, nodes[1]), at(field, nodes[2]), at(field, nodes[3])
+
+
+@inlined
+def at_time(c: Corners, v: Corners, back: float) -> Corners:
+    """Corners as they were a time `back` ago, x - back v."""
+    return (
+        subtract(c[0], scale(back, v[0])), subtract(c[1], scale(back, v[1])),
+        subtract(c[2], scale(back, v[2])), subtract(c[3], scale(back, v[3])),
+    )  # fmt: skip
+
+
+@inlined
+def shape(triangle: bool, xi: float, eta: float) -> Weights:
     """N_i(xi, eta)."""
-    return 0.25 * (1.0 + XI[i] * xi) * (1.0 + ETA[i] * eta)
+    if triangle:
+        return 1.0 - xi - eta, xi, eta, 0.0
+    a, b, c, d = 1.0 - xi, 1.0 + xi, 0.25 * (1.0 - eta), 0.25 * (1.0 + eta)
+    return a * c, b * c, b * d, a * d
 
 
-@kernel
-def tangents(
-    x: Array, corners: Index, xi: float, eta: float
-) -> tuple[float, float, float, float, float, float]:
+@inlined
+def interpolate(c: Corners, weights: Weights) -> Vector:
+    """sum N_i c_i."""
+    one = add(scale(weights[0], c[0]), scale(weights[1], c[1]))
+    return add(one, add(scale(weights[2], c[2]), scale(weights[3], c[3])))
+
+
+@inlined
+def twist(triangle: bool, c: Corners) -> Vector:
+    """r,xi,eta, the same everywhere; zero for a parallelogram."""
+    if triangle:
+        return 0.0, 0.0, 0.0
+    return scale(0.25, subtract(add(c[0], c[2]), add(c[1], c[3])))
+
+
+@inlined
+def tangents(triangle: bool, c: Corners, xi: float, eta: float) -> tuple[Vector, Vector]:
     """r,xi and r,eta."""
-    a0, a1, a2, b0, b1, b2 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    for i in range(4):
-        c = corners[i]
-        along_xi = 0.25 * XI[i] * (1.0 + ETA[i] * eta)
-        along_eta = 0.25 * ETA[i] * (1.0 + XI[i] * xi)
-        a0, a1, a2 = a0 + along_xi * x[c, 0], a1 + along_xi * x[c, 1], a2 + along_xi * x[c, 2]
-        b0, b1, b2 = b0 + along_eta * x[c, 0], b1 + along_eta * x[c, 1], b2 + along_eta * x[c, 2]
-    return a0, a1, a2, b0, b1, b2
+    if triangle:
+        return subtract(c[1], c[0]), subtract(c[2], c[0])
+    w = twist(triangle, c)
+    a = scale(0.25, subtract(add(c[1], c[2]), add(c[0], c[3])))
+    b = scale(0.25, subtract(add(c[2], c[3]), add(c[0], c[1])))
+    return add(a, scale(eta, w)), add(b, scale(xi, w))
 
 
-@kernel
-def normal(x: Array, corners: Index, xi: float, eta: float) -> tuple[float, float, float]:
+@inlined
+def normal(triangle: bool, c: Corners, xi: float, eta: float) -> Vector:
     """The unit normal r,xi x r,eta / |...|."""
-    a0, a1, a2, b0, b1, b2 = tangents(x, corners, xi, eta)
-    n0, n1, n2 = a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0
-    length = np.sqrt(n0 * n0 + n1 * n1 + n2 * n2)
-    return n0 / length, n1 / length, n2 / length
+    a, b = tangents(triangle, c, xi, eta)
+    return unit(cross(a, b))
 
 
-@kernel
-def offset(x: Array, corners: Index, p: Array, xi: float, eta: float) -> tuple[float, float, float]:
-    """p - r(xi, eta)."""
-    d0, d1, d2 = p[0], p[1], p[2]
-    for i in range(4):
-        weight = shape(i, xi, eta)
-        c = corners[i]
-        d0, d1, d2 = d0 - weight * x[c, 0], d1 - weight * x[c, 1], d2 - weight * x[c, 2]
-    return d0, d1, d2
+@inlined
+def beyond(triangle: bool, xi: float, eta: float) -> float:
+    """How far outside the segment, in xi and eta of a quadrilateral (a side is 2 long); negative within."""
+    if triangle:
+        return 2.0 * max(-xi, -eta, xi + eta - 1.0)
+    return max(abs(xi), abs(eta)) - 1.0
 
 
-@kernel
-def closest_point(x: Array, corners: Index, p: Array) -> tuple[float, float, float]:
-    """(xi, eta) with (p - r) . r,xi = (p - r) . r,eta = 0 by Newton's method, and the distance of p to the segment.
+@inlined
+def project(triangle: bool, c: Corners, p: Vector, xi: float, eta: float) -> tuple[float, float]:
+    """(xi, eta) with (p - r) . r,xi = (p - r) . r,eta = 0 by Newton's method from a first guess.
 
-    xi and eta may lie outside -1..1; the distance is to the closest point within. Steps are limited, so that a warped
-    segment and a distant p do not throw the iteration off.
+    They may lie outside the segment. Steps are limited, so that a warped segment and a distant p do not throw the
+    iteration off. What a step ds leaves is of the order |r,xi,eta| / |r,xi| ds^2: nothing on a parallelogram.
     """
-    xi, eta = 0.0, 0.0
+    w = twist(triangle, c)
     for _ in range(ITERATIONS):
-        a0, a1, a2, b0, b1, b2 = tangents(x, corners, xi, eta)
-        d0, d1, d2 = offset(x, corners, p, xi, eta)
-        # r,xi,eta is the twist of the segment; the Hessian of |p - r|^2 / 2 has it off the diagonal.
-        w0, w1, w2 = 0.0, 0.0, 0.0
-        for i in range(4):
-            twist = 0.25 * XI[i] * ETA[i]
-            c = corners[i]
-            w0, w1, w2 = w0 + twist * x[c, 0], w1 + twist * x[c, 1], w2 + twist * x[c, 2]
-        aa, bb = a0 * a0 + a1 * a1 + a2 * a2, b0 * b0 + b1 * b1 + b2 * b2
-        ab = a0 * b0 + a1 * b1 + a2 * b2 - (d0 * w0 + d1 * w1 + d2 * w2)
-        if ab * ab >= 0.999 * aa * bb:  # not convex here: leave the twist out (Gauss-Newton)
-            ab = a0 * b0 + a1 * b1 + a2 * b2
-        ra, rb = d0 * a0 + d1 * a1 + d2 * a2, d0 * b0 + d1 * b1 + d2 * b2
-        determinant = aa * bb - ab * ab
-        step_xi = (bb * ra - ab * rb) / determinant
-        step_eta = (aa * rb - ab * ra) / determinant
+        a, b = tangents(triangle, c, xi, eta)
+        d = subtract(p, interpolate(c, shape(triangle, xi, eta)))
+        aa, bb, plain = dot(a, a), dot(b, b), dot(a, b)
+        # The twist enters the Hessian of |p - r|^2 / 2 off the diagonal; where that is not convex, leave it out.
+        ab = plain - dot(d, w)
+        if ab * ab >= 0.999 * aa * bb:
+            ab = plain
+        ra, rb = dot(d, a), dot(d, b)
+        inverse = 1.0 / (aa * bb - ab * ab)
+        step_xi, step_eta = (bb * ra - ab * rb) * inverse, (aa * rb - ab * ra) * inverse
         longest = max(abs(step_xi), abs(step_eta))
         if longest > 2.0:
             step_xi, step_eta = 2.0 * step_xi / longest, 2.0 * step_eta / longest
         xi, eta = xi + step_xi, eta + step_eta
-        if longest < 1e-12:
+        if dot(w, w) * longest**4 <= CONVERGED**2 * min(aa, bb) or longest < CONVERGED:
             break
-    inside_xi, inside_eta = min(max(xi, -1.0), 1.0), min(max(eta, -1.0), 1.0)
-    d0, d1, d2 = offset(x, corners, p, inside_xi, inside_eta)
-    return xi, eta, np.sqrt(d0 * d0 + d1 * d1 + d2 * d2)
+    return xi, eta
 
 
-@kernel
-def nearest(x: Array, node: int, segments: Index, point: Array) -> int:
-    """The segment nearest to `node`, if it projects on it, or -1; `point` receives xi, eta and the gap there.
+@inlined
+def border(triangle: bool, c: Corners, p: Vector) -> tuple[float, float]:
+    """(xi, eta) of the point on the border that is closest to p."""
+    best_xi, best_eta, least = 0.0, 0.0, np.inf
+    for edge in range(3 if triangle else 4):
+        if edge == 0:
+            start, end = c[0], c[1]
+        elif edge == 1:
+            start, end = c[1], c[2]
+        elif edge == 2:
+            start, end = c[2], c[0] if triangle else c[3]
+        else:
+            start, end = c[3], c[0]
+        along, to = subtract(end, start), subtract(p, start)
+        s = min(max(dot(to, along) / dot(along, along), 0.0), 1.0)
+        away = subtract(to, scale(s, along))
+        if dot(away, away) < least:
+            least = dot(away, away)
+            best_xi, best_eta = on_edge(triangle, edge, s)
+    return best_xi, best_eta
 
-    A node does not touch the segments that it is a corner of.
-    """
-    best, least, p = -1, np.inf, x[node]
-    for s in range(segments.shape[0]):
-        if node in segments[s]:
-            continue
-        xi, eta, distance = closest_point(x, segments[s], p)
-        if distance < least:
-            least = distance
-            best = -1
-            if abs(xi) <= MAXPAR and abs(eta) <= MAXPAR:
-                best = s
-                point[0], point[1] = xi, eta
-    if best >= 0:
-        point[2] = gap(x, segments[best], p, point[0], point[1])
-    return best
+
+@inlined
+def on_edge(triangle: bool, edge: int, s: float) -> tuple[float, float]:
+    """(xi, eta) at the fraction s of an edge, from its first corner to the next."""
+    if triangle:
+        if edge == 0:
+            return s, 0.0
+        return (1.0 - s, s) if edge == 1 else (0.0, 1.0 - s)
+    u = 2.0 * s - 1.0
+    if edge == 0:
+        return u, -1.0
+    if edge == 1:
+        return 1.0, u
+    return (-u, 1.0) if edge == 2 else (-1.0, -u)
 
 
-@kernel
-def gap(x: Array, corners: Index, p: Array, xi: float, eta: float) -> float:
-    """(p - r(xi, eta)) . n, positive in front of the segment."""
-    n0, n1, n2 = normal(x, corners, xi, eta)
-    g = 0.0
-    for i in range(4):
-        weight = shape(i, xi, eta)
-        c = corners[i]
-        g += weight * ((p[0] - x[c, 0]) * n0 + (p[1] - x[c, 1]) * n1 + (p[2] - x[c, 2]) * n2)
-    return g
+@inlined
+def closest(triangle: bool, c: Corners, p: Vector, xi: float, eta: float) -> tuple[float, float, float]:
+    """(xi, eta) of the closest point within the segment, and how far beyond it p projects (see `beyond`)."""
+    xi, eta = project(triangle, c, p, xi, eta)
+    out = beyond(triangle, xi, eta)
+    if out > 0.0:
+        xi, eta = border(triangle, c, p)
+    return xi, eta, out

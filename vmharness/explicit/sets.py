@@ -7,6 +7,7 @@ from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.set_node import SET_NODE_GENERAL, SET_NODE_LIST, SET_NODE_LIST_GENERATE
 from vmharness.deck.keywords.set_part import SET_PART_LIST
 from vmharness.explicit.model import Model
+from vmharness.explicit.rigid.numbers import numbers
 
 Index = NDArray[np.intp]
 
@@ -38,6 +39,12 @@ def nodes_of_parts(deck: Deck, model: Model, pids: set[int]) -> Index:
     return found[found >= 0]  # without the ground
 
 
+def masses_of_parts(deck: Deck, model: Model, pids: set[int]) -> Index:
+    """Rows (m,) of all nodes of these parts, and of the centres of the rigid bodies among them."""
+    centres = [model.centre(number) for number in numbers(deck) if number in pids]
+    return np.concatenate([nodes_of_parts(deck, model, pids), np.array(centres, np.intp)])
+
+
 def _ranges(model: Model, found: Entry) -> Index:
     """Nodes with a number in any of the ranges; numbers that no node has are passed over, as LS-DYNA does."""
     if found.ranges.size % 2:
@@ -53,7 +60,7 @@ def _general(deck: Deck, model: Model, found: Entry, row: int) -> Index:
     members = [int(getattr(found, f"e{k}")[row]) for k in range(1, 8)]
     members = [member for member in members if member]
     if found.option[row] == "ALL":
-        return np.arange(model.ids.size)
+        return np.arange(model.node_count)
     if found.option[row] == "NODE":
         return np.array([model.row(found, "e1", nid, row) for nid in members], np.intp)
     return nodes_of_parts(deck, model, set(members))

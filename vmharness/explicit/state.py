@@ -19,7 +19,7 @@ class State:
     x: Array  # (n, 3) current coordinates
     v: Array  # (n, 3) velocity
     omega: Array  # (n, 3) angular velocity
-    mass: Array  # (n,) lumped mass
+    mass: Array  # (n,) lumped mass; that of a rigid body is at its centre
     inertia: Array  # (n,) lumped rotary inertia, the same about every axis
     t: float = 0.0
     dt: float = 0.0
@@ -28,7 +28,9 @@ class State:
     alpha: Array = field(init=False)  # (n, 3) angular acceleration
     f: Array = field(init=False)  # (n, 3) force
     moment: Array = field(init=False)  # (n, 3) moment
+    lumped: Array = field(init=False)  # (n,) lumped mass, on the nodes of rigid bodies too
 
     def __post_init__(self) -> None:
         for name in ("a", "alpha", "f", "moment"):
             setattr(self, name, np.zeros_like(self.x))
+        self.lumped = self.mass

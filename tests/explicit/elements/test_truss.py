@@ -25,7 +25,7 @@ def at_rest(x):
 def trusses(x, nodes):
     nodes = np.array(nodes)
     length = np.linalg.norm(x[nodes[:, 1]] - x[nodes[:, 0]], axis=1)
-    return Truss("trusses", nodes, length, AREA, C, uniaxial, (E, 0.3))
+    return Truss("trusses", nodes, length, AREA, RHO, E, uniaxial, (E, 0.3))
 
 
 def drive(block, s, path):

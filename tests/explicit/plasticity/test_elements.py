@@ -121,8 +121,10 @@ def test_back_stress_turns_with_a_solid():
     x = np.array([[i, j, k] for k in (0, 1) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))], float)
 
     def block():
-        step = hexa_one_point.compiled(plastic_kinematic.solid)
-        return Hexahedra("", step, np.arange(8)[None], x, 1.0, E, history=7, **MATERIAL)
+        law = plastic_kinematic.solid
+        return Hexahedra(
+            "", hexa_one_point.compiled, law, np.arange(8)[None], x, 1.0, E, history=7, **MATERIAL
+        )
 
     still, turned = turning(block(), x, 0.0), turning(block(), x, 2 * np.pi / 3)
     assert np.abs(still.history[0, 0, 1:]).max() > 0.05

@@ -10,25 +10,25 @@ CONTROL_CONTACT = Keyword(
         slsfac=real(0.1, zero_is_default=True, above=0.0),
         rwpnal=real(0.0),  # penalty of rigid bodies at rigid walls
         islchk=integer(1, choices=(0, 1, 2)),
-        shlthk=only(0),
-        penopt=integer(1, choices=(0, 1)),
+        shlthk=integer(0, choices=(0, 1, 2)),
+        penopt=integer(1, choices=(1, 2), zero_is_default=True),
         thkchg=only(0),
-        orien=integer(1, choices=(1, 2), zero_is_default=True),
+        orien=integer(1, choices=(1, 2, 4), zero_is_default=True),
         enmass=only(0),
     ),
     Card(
         usrstr=only(0),
         usrfrc=only(0),
-        nsbcs=integer(0),  # cycles between searches; every cycle searches here
+        nsbcs=integer(0),  # cycles between sorts; here velocity says when
         interm=only(0),
-        xpene=real(4.0),  # acts with PENCHK > 0
-        ssthk=only(0),
+        xpene=real(4.0, zero_is_default=True, above=0.0),  # acts with PENCHK = 1
+        ssthk=integer(0, choices=(0, 1)),
         ecdt=integer(0, choices=(0, 1)),  # acts on eroding contact
         tiedprj=integer(0, choices=(0, 1)),  # acts on tied contact
     ),
     Card(
         optional=True,
-        sfric=only(0.0),
+        sfric=only(0.0),  # friction by part
         dfric=only(0.0),
         edc=only(0.0),
         vfc=only(0.0),
@@ -39,7 +39,7 @@ CONTROL_CONTACT = Keyword(
     ),
     Card(
         optional=True,
-        ignore=only(0),
+        ignore=integer(0, choices=(0, 1, 2)),
         frceng=integer(0, choices=(0, 1)),
         skiprwg=integer(0, choices=(0, 1)),
         outseg=integer(0, choices=(0, 1)),

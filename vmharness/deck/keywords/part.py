@@ -1,8 +1,16 @@
-"""*PART: what elements share: section, material, hourglass control."""
+"""*PART: what elements share: section, material, hourglass control; _INERTIA: mass and inertia of a rigid one."""
 
 from vmharness.deck.card import Card
+from vmharness.deck.entry import Entry
 from vmharness.deck.field import integer, only, text
 from vmharness.deck.keyword import Keyword
+from vmharness.deck.keywords.inertia import CENTRE, LOCAL, TENSOR, VELOCITY
+
+
+def has_inertia(entry: Entry) -> bool:
+    """Whether the part is one of *PART_INERTIA."""
+    return entry.suffix == "INERTIA"
+
 
 PART = Keyword(
     "PART",
@@ -17,6 +25,11 @@ PART = Keyword(
         adpopt=only(0),
         tmid=only(0),
     ),
+    Card(CENTRE, when=has_inertia),
+    Card(TENSOR, when=has_inertia),
+    Card(VELOCITY, when=has_inertia),
+    Card(LOCAL, when=lambda entry: has_inertia(entry) and entry.ircs == 1),
+    options={"INERTIA": Card()},
     repeat=True,
     unique="pid",
     kind="part",

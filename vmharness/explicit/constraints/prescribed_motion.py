@@ -67,7 +67,7 @@ def build(deck: Deck, model: Model) -> None:
             for row in rows[flags[rows, dof]]:
                 raise entry.error("dof", f"node {model.ids[row]} is ruled by {master} in this direction")
         moved[rows, dof] = True
-        model.constraints.append(_motion(deck, model, entry, rows, number))
+        model.constraints.append(motion(deck, model, entry, rows, number))
 
 
 def _nodes(deck: Deck, model: Model, entry: Entry) -> Index:
@@ -76,7 +76,8 @@ def _nodes(deck: Deck, model: Model, entry: Entry) -> Index:
     return np.array([model.row(entry, "nid", entry.nid)], np.intp)
 
 
-def _motion(deck: Deck, model: Model, entry: Entry, rows: Index, number: int) -> "PrescribedMotion":
+def motion(deck: Deck, model: Model, entry: Entry, rows: Index, number: int) -> "PrescribedMotion":
+    """What the entry prescribes for nodes (m,), begun; raises DeckError for a motion that cannot be."""
     if entry.death <= entry.birth:
         raise entry.error("death", f"the motion would end before its birth at {entry.birth:g}")
     curve = time_curve(deck, entry, "lcid", min(model.end_time, entry.death) - entry.birth)

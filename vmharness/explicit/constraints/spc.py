@@ -7,6 +7,7 @@ from vmharness.deck import Card, Deck, Entry, Keyword
 from vmharness.deck.field import integer, only
 from vmharness.deck.keywords.node import NODE
 from vmharness.explicit.compiled import kernel
+from vmharness.explicit.dof import coded
 from vmharness.explicit.model import Model
 from vmharness.explicit.sets import node_set
 from vmharness.explicit.state import Array, State
@@ -26,8 +27,6 @@ BOUNDARY_SPC_SET = Keyword(
     options=("ID",),
     repeat=True,
 )
-
-CODES = {0: "", 1: "x", 2: "y", 3: "z", 4: "xy", 5: "yz", 6: "zx", 7: "xyz"}  # TC and RC of *NODE
 
 
 def build(deck: Deck, model: Model) -> None:
@@ -59,7 +58,7 @@ def _codes(entry: Entry, model: Model, fixed: NDArray[np.bool_]) -> None:
     for offset, codes in ((0, entry.tc), (3, entry.rc)):
         for i in np.flatnonzero(codes):
             row = model.row(entry, "nid", entry.nid[i])
-            fixed[row, [offset + "xyz".index(axis) for axis in CODES[int(codes[i])]]] = True
+            fixed[row, [offset + axis for axis in coded(codes[i])]] = True
 
 
 class Supports:

@@ -23,7 +23,7 @@ from vmharness.explicit.compiled import kernel
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.curve import Curve, time_curve
 from vmharness.explicit.model import Model
-from vmharness.explicit.sets import nodes_of_parts
+from vmharness.explicit.sets import masses_of_parts, nodes_of_parts
 from vmharness.explicit.state import Array, State
 
 Index = NDArray[np.intp]
@@ -96,7 +96,7 @@ def _parts(deck: Deck, model: Model, entries: list[Entry]) -> list[Term]:
 def _part(deck: Deck, model: Model, entry: Entry) -> Term:
     deck.find(PART, pid=entry.pid, referred_by=(entry, "pid"))
     curve = time_curve(deck, entry, "lcid", model.end_time)
-    return nodes_of_parts(deck, model, {entry.pid}), entry.sf * _factors(entry), curve
+    return masses_of_parts(deck, model, {entry.pid}), entry.sf * _factors(entry), curve
 
 
 def _shared(entry: Entry, model: Model, row: int) -> DeckError:

@@ -28,7 +28,8 @@ from numpy.typing import NDArray
 from vmharness.deck import Deck
 from vmharness.explicit.beams import beam_parts, lengths
 from vmharness.explicit.compiled import specialise
-from vmharness.explicit.lanes import LANES, Indices, by_block, put, vector
+from vmharness.explicit.damping.stiffness.law import damped, memory, uniaxial
+from vmharness.explicit.lanes import LANES, Indices, by_block, by_element, put, vector
 from vmharness.explicit.material import law_of
 from vmharness.explicit.materials.elastic import uniaxial as law
 from vmharness.explicit.model import Model
@@ -46,33 +47,35 @@ ROWS = 11
 def build(deck: Deck, model: Model) -> None:
     """Add a force and the lumped mass for each part of trusses."""
     for part in beam_parts(deck, model, ELFORM):
+        if part.rigid:
+            continue
         material, area, length = part.material, part.section.a, lengths(part, model.x0)
         module = law_of(material, "uniaxial", part.part)
-        for end in part.nodes.T:
-            model.add_mass(end, 0.5 * material.ro * area * length)
-        model.forces.append(
-            Truss(
-                name=f"trusses of part {part.pid}",
-                nodes=part.nodes,
-                length=length,
-                area=area,
-                wave_speed=(material.e / material.ro) ** 0.5,
-                law=module.uniaxial,
-                constants=module.constants(deck, material),
-                history=module.HISTORY["uniaxial"],
-                channels=getattr(module, "CHANNELS", {}),
-                eid=part.eid,
-                pid=part.pid,
-            )
+        block = Truss(
+            name=f"trusses of part {part.pid}",
+            nodes=part.nodes,
+            length=length,
+            area=area,
+            density=material.ro,
+            modulus=material.e,
+            law=module.uniaxial,
+            constants=module.constants(deck, material),
+            history=module.HISTORY["uniaxial"],
+            channels=getattr(module, "CHANNELS", {}),
+            eid=part.eid,
+            pid=part.pid,
         )
+        model.forces.append(block)
+        for end in part.nodes.T:
+            model.add_mass(end, block.mass)
 
 
 class Truss:
     """Trusses of one part: a force with the energy "internal".
 
-    `nodes (ne, 2)`: rows of the state's arrays; `length (ne,)`: initial lengths; `area`: of the cross-section; `law`
-    and its `constants`, with `history` variables per bar: see materials/elastic.py; `channels`: names of some of these.
-    Consistent units.
+    `nodes (ne, 2)`: rows of the state's arrays; `length (ne,)`: initial lengths; `area`: of the cross-section;
+    `density`; `modulus`: E, for the stable step; `law` and its `constants`, with `history` variables per bar: see
+    materials/elastic.py; `channels`: names of some of these. Consistent units.
     """
 
     kind = "beam"
@@ -83,7 +86,8 @@ class Truss:
         nodes: Indices,
         length: Array,
         area: float,
-        wave_speed: float,
+        density: float,
+        modulus: float,
         law: Callable[..., Any],
         constants: tuple[Any, ...],
         history: int = 0,
@@ -94,7 +98,8 @@ class Truss:
         self.name, self.pid = name, pid
         self.elements = len(nodes)
         self.eid = np.arange(1, self.elements + 1) if eid is None else eid
-        self._area, self._wave_speed, self._constants = area, wave_speed, constants
+        self.nodes, self.mass, self.inertia = nodes, 0.5 * density * area * length, np.zeros(self.elements)
+        self._area, self._wave_speed, self._constants = area, (modulus / density) ** 0.5, constants
         self._channels = dict(channels or {})
         self._nodes = by_block(nodes.astype(np.intp))
         self._length = by_block(length[:, None])
@@ -103,7 +108,7 @@ class Truss:
         self._work = np.zeros(ROWS * LANES)
         self._shortest = np.inf
         self.energy = {"internal": np.zeros(1)}
-        self._step = _compiled(law)
+        self._law, self._step = law, _compiled(law)
 
     def add(self, state: State) -> None:
         """Add forces at t_n, and the work of the step that led there."""
@@ -126,6 +131,22 @@ class Truss:
     def stable_step(self) -> float:
         """The smallest sqrt(L L_0) / c at the geometry of the last `add`."""
         return float(self._shortest**0.5 / self._wave_speed)
+
+    def steps(self, x: Array) -> Array:
+        """sqrt(L L_0) / c (ne,) at coordinates `x` (n, 3)."""
+        now = np.linalg.norm(x[self.nodes[:, 1]] - x[self.nodes[:, 0]], axis=1)
+        return np.asarray(np.sqrt(now * by_element(self._length, self.elements)[:, 0]) / self._wave_speed)
+
+    def densify(self, factor: Array) -> None:
+        """Raise the densities by `factor` (ne,): waves are slower, as if bars had been longer at the beginning."""
+        self._length[:] = by_block(by_element(self._length, self.elements) * factor[:, None])
+
+    def damp(self, beta: Array) -> None:
+        """Add to the stress of the law `beta` (ne,) times its rate; to be asked for before the first step."""
+        history = self._history.shape[-1] // LANES
+        self._history = by_block(memory(beta, 1, history, 1)[:, 0])
+        self._constants = (self._constants, history)
+        self._step = _compiled(damped(uniaxial, self._law))
 
     def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
         """`axial-stress`, `axial-force` (tension positive) or a channel of the law; `element`: its place in `eid`."""
@@ -187,7 +208,8 @@ def step(
 ) -> float:
     """Bring stresses to t_n, add forces there, and the step's work to `energy` (1,); the smallest L L_0.
 
-    `x`, `v`, `f` (n, 3); per block of LANES bars: `nodes (blocks, 2 rows)`, `length`, `stress` and `history`.
+    `x`, `v`, `f` (n, 3); per block of LANES bars: `nodes (blocks, 2 rows)`, `length` (L_0, times what the density was
+    raised by), `stress` and `history`.
     """
     for e in range(LANES):
         work[LENGTH * LANES + e] = np.inf

@@ -21,14 +21,15 @@ def wave_modulus(e: float, nu: float) -> float:
 
 
 def add_part(
-    deck: Deck, model: Model, part: Part, step: Callable[[Callable[..., Any]], Any], **formulation: Any
+    deck: Deck, model: Model, part: Part, compiled: Callable[[Callable[..., Any]], Any], **formulation: Any
 ) -> None:
-    """Add the force of a part and its lumped mass; `step` makes the compiled step for a law."""
+    """Add the force of a part and its lumped mass; `compiled` makes the compiled step for a law."""
     material = part.material
     law = law_of(material, "solid", part.part)
     block = Hexahedra(
         name=f"solids of part {part.pid}",
-        step=step(law.solid),
+        compiled=compiled,
+        law=law.solid,
         nodes=part.nodes,
         x=model.x0,
         density=material.ro,

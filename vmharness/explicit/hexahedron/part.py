@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.hexahedron.channel import CHANNELS, stress_in_space
+from vmharness.explicit.damping.stiffness.law import damped, memory, solid
+from vmharness.explicit.hexahedron.channel import CHANNELS, COMPONENTS, stress_in_space
 from vmharness.explicit.hexahedron.gradient import measures
 from vmharness.explicit.hexahedron.rows import KEPT, MASS, MODULUS, ROWS, TURN
 from vmharness.explicit.lanes import LANES, Indices, by_block, by_element
@@ -16,11 +17,11 @@ from vmharness.explicit.state import Array, State
 class Hexahedra:
     """Solids of one part: a force with the energies "internal" and "hourglass".
 
-    `step`: the compiled step of the formulation, for a law; `nodes (ne, 8)`: rows of the state's arrays; `x (n, 3)`:
-    initial coordinates; `density`; `modulus`: rho c^2 = E (1 - nu) / ((1 + nu) (1 - 2 nu)); `constants` of the law with
-    `history` variables per point, see materials/elastic.py, `channels`: names of some of these; `points` in an element;
-    `viscous`: Q1 and Q2 of bulk viscosity; `resistance (ne,)`: moduli of hourglass control and `hourglass`, whether
-    viscous and whether projected. Consistent units.
+    `compiled`: what makes the compiled step of the formulation for a `law`; `nodes (ne, 8)`: rows of the state's
+    arrays; `x (n, 3)`: initial coordinates; `density`; `modulus`: rho c^2 = E (1 - nu) / ((1 + nu) (1 - 2 nu));
+    `constants` of the law with `history` variables per point, see materials/elastic.py, `channels`: names of some of
+    these; `points` in an element; `viscous`: Q1 and Q2 of bulk viscosity; `resistance (ne,)`: moduli of hourglass
+    control and `hourglass`, whether viscous and whether projected. Consistent units.
     """
 
     kind = "solid"
@@ -28,7 +29,8 @@ class Hexahedra:
     def __init__(
         self,
         name: str,
-        step: Callable[..., float],
+        compiled: Callable[[Callable[..., Any]], Callable[..., float]],
+        law: Callable[..., Any],
         nodes: Indices,
         x: Array,
         density: float,
@@ -48,9 +50,10 @@ class Hexahedra:
         self.name, self.pid = name, pid
         self.eid = np.arange(1, elements + 1) if eid is None else eid
         self.elements, self.points = elements, points
-        self._step, self._modulus, self._constants = step, modulus, constants
+        self._compiled, self._law, self._step = compiled, law, compiled(law)
+        self._modulus, self._constants = modulus, constants
         self._viscous, self._hourglass = viscous, hourglass
-        self._wave_speed, self._stable = (modulus / density) ** 0.5, np.inf
+        self._stable = np.inf
         kept = np.zeros((elements, KEPT))
         kept[:, TURN] = 1.0
         self._kept = by_block(kept)
@@ -90,17 +93,26 @@ class Hexahedra:
         return min(self._stable, self._longest)
 
     def steps(self, x: Array) -> Array:
-        """L_e / c (ne,) at coordinates `x` (n, 3) and the material's density, of elements that do not move."""
-        return measures(x[self.nodes])[2] / self._wave_speed
+        """L_e / c (ne,) at coordinates `x` (n, 3), of elements that are not compressed: without bulk viscosity."""
+        volume, _, length = measures(x[self.nodes])
+        mass = by_element(self._fixed, self.elements)[:, MASS]
+        return length * np.sqrt(mass / (self._modulus * volume))
 
     def densify(self, factor: Array) -> None:
-        """Take the densities as `factor` (ne,) times the material's, from before the first step on."""
+        """Raise the densities by `factor` (ne,)."""
         fixed = by_element(self._fixed, self.elements).copy()
-        fixed[:, MASS] = 8 * self.mass * factor
+        fixed[:, MASS] *= factor
         if self._hourglass[0]:
             fixed[:, MODULUS] *= np.sqrt(factor)
         self._fixed[:] = by_block(fixed)
         self._longest = self._overshoot()
+
+    def damp(self, beta: Array) -> None:
+        """Add to the stress of the law `beta` (ne,) times its rate; to be asked for before the first step."""
+        history = self._history.shape[-1] // LANES
+        self._history = by_block(memory(beta, self.points, history, len(COMPONENTS)))
+        self._constants = (self._constants, history)
+        self._step = self._compiled(damped(solid, self._law))
 
     def _overshoot(self) -> float:
         """The longest step at which a viscous hourglass force does not reverse the rate: 2 m q / Q."""

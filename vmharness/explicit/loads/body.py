@@ -19,7 +19,7 @@ from vmharness.deck.keywords.part import PART
 from vmharness.explicit.compiled import kernel
 from vmharness.explicit.curve import Curve, time_curve
 from vmharness.explicit.model import Model
-from vmharness.explicit.sets import nodes_of_parts, part_set
+from vmharness.explicit.sets import masses_of_parts, nodes_of_parts, part_set
 from vmharness.explicit.state import Array, State
 
 Index = NDArray[np.intp]
@@ -60,7 +60,7 @@ def _nodes(deck: Deck, model: Model) -> Index:
     if chosen is None:
         return np.arange(model.ids.size)
     pids = part_set(deck, chosen, "psid")
-    nodes = nodes_of_parts(deck, model, pids)
+    nodes = masses_of_parts(deck, model, pids)
     others = nodes_of_parts(deck, model, {part.pid for part in deck.all(PART)} - pids)
     for row in np.intersect1d(nodes, others):
         raise chosen.error("psid", f"node {model.ids[row]} belongs to another part as well; not supported")

@@ -15,7 +15,12 @@ ELFORM = 2
 
 
 def add_part(deck: Deck, model: Model, part: Part, name: str, shells: Callable[..., Shells]) -> None:
-    """Add the force that `shells` makes of a part, by the `name` of what they are, and its lumped mass."""
+    """Add the force that `shells` makes of a part, by the `name` of what they are, and its lumped mass.
+
+    Nothing is added for a rigid part: see elements/rigid.py.
+    """
+    if part.rigid:
+        return
     material, section, timestep = part.material, part.section, deck.first(CONTROL_TIMESTEP)
     control = deck.first(CONTROL_SHELL)
     if section.elform != ELFORM:

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from vmharness.explicit.damping.stiffness.law import damped, memory, plane_stress
 from vmharness.explicit.lanes import LANES, Indices, by_block, by_element
 from vmharness.explicit.shell.kind import Kind, compiled_lengths, compiled_step
 from vmharness.explicit.shell.rows import DENSITY_ROOT, ROWS, THICKNESS
@@ -74,6 +75,7 @@ class Shells:
         self._work = np.zeros(ROWS * LANES)
         self._energy = np.zeros(2)
         self.energy = {"internal": self._energy[:1], "hourglass": self._energy[1:]}
+        self._shape, self._law, self._isdo = shape, law, isdo
         self._step = compiled_step(shape, law, isdo)
         self._lengths = compiled_lengths(shape, isdo)
 
@@ -106,16 +108,23 @@ class Shells:
         return self._length / self._wave_speed
 
     def steps(self, x: Array) -> Array:
-        """L_s / c (ne,) at coordinates `x` (n, 3) and the material's density."""
+        """L_s / c (ne,) at coordinates `x` (n, 3)."""
         lengths = np.zeros(self.elements)
         self._lengths(x, self._nodes, self._work, lengths)
-        return lengths / self._wave_speed
+        return lengths * by_element(self._section, self.elements)[:, DENSITY_ROOT] / self._wave_speed
 
     def densify(self, factor: Array) -> None:
-        """Take the densities as `factor` (ne,) times the material's, from before the first step on."""
+        """Raise the densities by `factor` (ne,)."""
         section = by_element(self._section, self.elements).copy()
-        section[:, DENSITY_ROOT] = np.sqrt(factor)
+        section[:, DENSITY_ROOT] *= np.sqrt(factor)
         self._section[:] = by_block(section)
+
+    def damp(self, beta: Array) -> None:
+        """Add to the stress of the law `beta` (ne,) times its rate; to be asked for before the first step."""
+        history = self._history.shape[-1] // LANES
+        self._history = by_block(memory(beta, self.nip, history, len(STRESSES)))
+        self._constants = (self._constants, history)
+        self._step = compiled_step(self._shape, damped(plane_stress, self._law), self._isdo)
 
     @property
     def stress(self) -> Array:

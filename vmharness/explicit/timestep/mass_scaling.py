@@ -4,45 +4,126 @@ An element whose stable step h is below |DT2MS| has its density, and with it mas
 
     phi = (|DT2MS| / h)^2        h = L/c, c ~ 1/sqrt(density)
 
-so that its step becomes |DT2MS|, and the run's TSSFAC |DT2MS|. It is done once, at the beginning: MS1ST = 1. What is
-added is a fact of the run. (LS-DYNA keyword manual, *CONTROL_TIMESTEP.)
+so that its step becomes |DT2MS|, and the run's TSSFAC |DT2MS|. With MS1ST = 1 this is done once, at the beginning. With
+MS1ST = 0 it is done again at any t_n that finds the step of an element below |DT2MS|. Mass that is added during the run
+is at rest and sticks to its node: the momentum stays,
+
+    m' v' = m v        v_{n-1/2} and a_n become m/m' times what they were, and so does v_n
+
+rotations alike. (With the velocity kept, momentum and energy would come from nothing.) The kinetic energy that a node
+loses, 1/2 m v_n^2 (1 - m/m'), is energy "damping". What a support or a prescribed motion rules keeps its velocity; the
+motion that drags the new mass along does "external work" 1/2 (m' - m) v_n^2.
+
+Springs and dampers have no mass that could be scaled: they keep their step. Bulk viscosity shortens that of solids
+further. What is added is a fact of the run. (LS-DYNA keyword manual, *CONTROL_TIMESTEP; whether its nodes keep velocity
+or momentum is not said there.)
 """
 
 import numpy as np
+from numpy.typing import NDArray
 
-from vmharness.deck import Deck
+from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
+from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.force import Elements, Scalable
 from vmharness.explicit.model import Model
+from vmharness.explicit.state import Array, State
 
 
 def build(deck: Deck, model: Model) -> None:
-    """Raise densities, and say by how much the mass of each part grew."""
+    """Raise densities, say by how much the mass of each part grew, and go on with it in the run unless MS1ST = 1."""
     control = deck.first(CONTROL_TIMESTEP)
     if control is None or control.dt2ms == 0.0:
         return
     if control.dt2ms > 0.0:
         raise control.error("dt2ms", "one step for all elements is not supported; a negative value is")
-    if control.ms1st != 1:
-        raise control.error(
-            "ms1st", "mass scaling during the run is not supported; with MS1ST = 1 it is done once"
-        )
-    for block in [force for force in model.forces if isinstance(force, Elements)]:
-        if not isinstance(block, Scalable):
-            raise control.error(
-                "dt2ms", f"mass scaling of {block.name} is not implemented; supported: shells, solids"
+    scaling = MassScaling(model, _blocks(model, control), -control.dt2ms)
+    for block in scaling.blocks:
+        scaling.add_mass(block)
+    if control.ms1st == 0:
+        scaling.free = _free(model, control)
+        model.constraints.append(scaling)
+
+
+def _blocks(model: Model, control: Entry) -> list[Scalable]:
+    """The elements that can be scaled; raises DeckError for others that have mass."""
+    blocks: list[Scalable] = []
+    for force in model.forces:
+        if isinstance(force, Scalable):
+            blocks.append(force)
+        elif isinstance(force, Elements) and force.kind == "discrete":
+            model.facts["Mass scaling"] = (
+                "none of springs and dampers: they have no mass, and keep their step"
             )
-        _scale(model, block, -control.dt2ms)
+        elif isinstance(force, Elements):
+            raise control.error("dt2ms", f"mass scaling of {force.name} is not implemented")
+    return blocks
 
 
-def _scale(model: Model, block: Scalable, step: float) -> None:
-    phi = np.maximum((step / block.steps(model.state.x)) ** 2, 1.0)
-    block.densify(phi)
-    for corner in block.nodes.T:
-        model.add_mass(corner, (phi - 1.0) * block.mass, (phi - 1.0) * block.inertia)
-    corners, own = block.nodes.shape[1], block.mass.sum()
-    added = float((phi - 1.0) @ block.mass)
-    if added:
-        model.facts[f"Mass added to {block.name}"] = (
-            f"{corners * added:.6g} ({100.0 * added / own:.4g} %), at {(phi > 1.0).sum()} of {phi.size} elements"
+def _free(model: Model, control: Entry) -> NDArray[np.bool_]:
+    """Degrees of freedom (n, 6) that no constraint rules."""
+    free = np.ones((model.ids.size, 6), bool)
+    for constraint in model.constraints:
+        if isinstance(constraint, PrescribedMotion) and not constraint.throughout(model.end_time):
+            what = f"not supported with {constraint.name}, which is not throughout; with MS1ST = 1 it is"
+            raise control.error("ms1st", what)
+        free &= ~constraint.fixed
+    return free
+
+
+class MassScaling:
+    """Raises densities so that no element has a step below `aim`; as a constraint, at every t_n of the run."""
+
+    name = "mass scaling"
+
+    def __init__(self, model: Model, blocks: list[Scalable], aim: float) -> None:
+        self.model, self.blocks, self.aim = model, blocks, aim
+        self.energy = {"damping": np.zeros(1), "external work": np.zeros(1)}
+        self.fixed = self.free = np.zeros((model.ids.size, 6), bool)
+        self._added = {
+            block.name: np.zeros(block.mass.size) for block in blocks
+        }  # parts of the element's own mass
+
+    def add_mass(self, block: Scalable) -> None:
+        """Bring the elements of a block that are below the aim up to it."""
+        phi = np.maximum((self.aim / block.steps(self.model.state.x)) ** 2, 1.0)
+        added = self._added[block.name]
+        more = (phi - 1.0) * (1.0 + added)
+        if not more.any():
+            return
+        block.densify(phi)
+        added += more
+        for corner in block.nodes.T:
+            self.model.add_mass(corner, more * block.mass, more * block.inertia)
+        total, own = block.nodes.shape[1] * float(added @ block.mass), block.nodes.shape[1] * block.mass.sum()
+        self.model.facts[f"Mass added to {block.name}"] = (
+            f"{total:.6g} ({100.0 * total / own:.4g} %), at {(added > 0.0).sum()} of {added.size} elements"
         )
+
+    def accelerate(self, state: State) -> None:
+        """Add mass where a step has become too small; the momentum of the nodes stays."""
+        short = [block for block in self.blocks if block.stable_step() < self.aim]
+        if not short:
+            return
+        s, mass, inertia = state, state.mass.copy(), state.inertia.copy()
+        for block in short:
+            self.add_mass(block)
+        self._slow(s.v, s.a, mass, s.mass, self.free[:, :3], self.model.inverse_mass)
+        self._slow(s.omega, s.alpha, inertia, s.inertia, self.free[:, 3:], self.model.inverse_inertia)
+
+    def _slow(
+        self, v: Array, a: Array, before: Array, after: Array, free: NDArray[np.bool_], inverse: Array
+    ) -> None:
+        """v and a of the heavier nodes, times m/m' where they are free; their energy goes to the accounts."""
+        rows = np.flatnonzero(after > before)
+        m, added = before[rows, None], (after - before)[rows, None]
+        ratio = np.where(free[rows], m / (m + added), 1.0)
+        now = v[rows] + 0.5 * self.model.state.dt * a[rows]
+        self.energy["damping"] += 0.5 * np.sum(m * now**2 * (1.0 - ratio))
+        self.energy["external work"] += 0.5 * np.sum(added * now**2, where=~free[rows])
+        v[rows] *= ratio
+        a[rows] *= ratio
+        inverse[rows] = 1.0 / after[rows]
+
+    def move(self, state: State, dt: float) -> None:
+        """Nothing to do: the velocity is that of the heavier nodes."""

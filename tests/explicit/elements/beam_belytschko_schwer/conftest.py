@@ -20,7 +20,8 @@ def beams(x, nodes, section=RECTANGLE, orientation=(0.0, 0.0, 1.0)):
     length = np.linalg.norm(x[nodes[:, 1]] - x[nodes[:, 0]], axis=1)
     vectors = np.broadcast_to(np.array(orientation), (len(nodes), 3))
     limit = stable_step(length, section, E, NU, RHO)
-    return BelytschkoSchwer("beams", nodes, x, vectors, stiffness(length, section, E, NU), limit, section.a)
+    elastic, masses = stiffness(length, section, E, NU), lumped(length, section, RHO)
+    return BelytschkoSchwer("beams", nodes, x, vectors, elastic, limit, *masses, section.a)
 
 
 def at_rest(x):

@@ -44,11 +44,12 @@ def solids(
     modulus = wave_modulus(e, nu)
     options = {"viscous": viscous, "constants": (e, nu)}
     if elform == 2:
-        return Hexahedra("solids", hexa_full.compiled(solid), nodes, x, rho, modulus, points=8, **options)
+        return Hexahedra("solids", hexa_full.compiled, solid, nodes, x, rho, modulus, points=8, **options)
     control = control or Hourglass()
     return Hexahedra(
         "solids",
-        hexa_one_point.compiled(solid),
+        hexa_one_point.compiled,
+        solid,
         nodes,
         x,
         rho,

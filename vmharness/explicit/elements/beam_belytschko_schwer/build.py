@@ -14,6 +14,8 @@ ELFORM = 2
 def build(deck: Deck, model: Model) -> None:
     """Add a force and the lumped mass for each such part; raises DeckError where the material is not elastic."""
     for part in beam_parts(deck, model, ELFORM):
+        if part.rigid:
+            continue
         if part.material.keyword is not elastic.KEYWORD:
             raise part.part.error(
                 "mid", f"beams of resultants are elastic: *{elastic.KEYWORD.name} is supported"
@@ -32,6 +34,8 @@ def build(deck: Deck, model: Model) -> None:
                 orientation=orientations(part, model),
                 stiffness=stiffness(length, section, e, nu),
                 limit=stable_step(length, section, e, nu, density),
+                mass=mass,
+                inertia=inertia,
                 area=card.a,
                 eid=part.eid,
                 pid=part.pid,

@@ -17,7 +17,8 @@ class BelytschkoSchwer:
     """Beams of one part: a force with the energy "internal".
 
     `nodes (ne, 2)`: rows of the state's arrays; `x (n, 3)`: initial coordinates; `orientation (ne, 3)`: vectors in
-    the r-s plane; `stiffness (ne, 6)` and `limit (ne,)`: see stiffness.py and inertia.py; `area`: of the section.
+    the r-s plane; `stiffness (ne, 6)`: see stiffness.py; `limit (ne,)`, the stable step at the initial length, `mass`
+    and `inertia (ne,)` of each node: see inertia.py; `area`: of the section.
     """
 
     kind = "beam"
@@ -30,6 +31,8 @@ class BelytschkoSchwer:
         orientation: Array,
         stiffness: Array,
         limit: Array,
+        mass: Array,
+        inertia: Array,
         area: float,
         eid: NDArray[np.int64] | None = None,
         pid: int | None = None,
@@ -38,30 +41,48 @@ class BelytschkoSchwer:
         self.eid = np.arange(1, len(nodes) + 1) if eid is None else eid
         self.resultants = np.zeros((len(nodes), 6))
         self.energy = {"internal": np.zeros(1)}
-        self._nodes, self._stiffness, self._area = nodes.astype(np.intp), stiffness, area
+        self.nodes, self.mass, self.inertia = nodes.astype(np.intp), mass, inertia
+        self._stiffness, self._area = stiffness, area
         axis = x[nodes[:, 1]] - x[nodes[:, 0]]
         self._length = np.linalg.norm(axis, axis=1)
         self._triads = np.repeat(_s_and_t(axis, orientation)[:, None], 2, axis=1)
-        self._limit, self._shortening = float(limit.min()), 1.0
+        self._limit, self._stable = limit, float(limit.min())
+        self._damping: tuple[Array, Array, Array] | None = None  # beta (ne,), see `step.resist`, work lost
 
     def add(self, state: State) -> None:
         """Add forces and moments at t_n; what is stored is a function of the deformation alone."""
-        step.turn(self._triads, self._nodes, state.omega, state.dt)
-        self._shortening = step.step(
+        step.turn(self._triads, self.nodes, state.omega, state.dt)
+        self._stable = step.step(
             state.x,
-            self._nodes,
+            self.nodes,
             self._length,
+            self._limit,
             self._stiffness,
             self._triads,
             self.resultants,
             state.f,
             state.moment,
             self.energy["internal"],
+            state.dt,
+            self._damping,
         )
 
     def stable_step(self) -> float:
-        """The smallest limit of the elements, less the largest shortening."""
-        return self._limit * self._shortening
+        """The smallest limit of the elements, each less its shortening."""
+        return self._stable
+
+    def steps(self, x: Array) -> Array:
+        """The limit (ne,) of each element at coordinates `x` (n, 3), less its shortening."""
+        length = np.linalg.norm(x[self.nodes[:, 1]] - x[self.nodes[:, 0]], axis=1)
+        return np.asarray(self._limit * np.minimum(length / self._length, 1.0))
+
+    def densify(self, factor: Array) -> None:
+        """Raise the densities by `factor` (ne,)."""
+        self._limit = self._limit * np.sqrt(factor)
+
+    def damp(self, beta: Array) -> None:
+        """Add to the resultants `beta` (ne,) times their rate; to be asked for before the first step."""
+        self._damping = beta, np.zeros((len(beta), step.KEPT)), np.zeros(1)
 
     def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
         """Resultants at an end (point 1 or 2) of an element (its place in `eid`): force of the part beyond, toward r.

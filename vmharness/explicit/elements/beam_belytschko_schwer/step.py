@@ -6,9 +6,13 @@ With the energy U of the deformations, g = dU/dr and the outer normal part taken
 
 and a node that turns by the small rotation w changes s by w x s, so that dU/d(r . t) enters its moment as t x r.
 The nodes feel the opposite. The resultants on the cross-section whose outer normal is r follow from the same terms.
+
+With stiffness damping (explicit/damping/stiffness) the resultants R = dU/d(deformation) become R + beta dR/dt.
 """
 
 from math import asin, tan
+
+import numpy as np
 
 from vmharness.explicit.compiled import kernel
 from vmharness.explicit.elements.beam_belytschko_schwer.stiffness import (
@@ -25,6 +29,10 @@ from vmharness.explicit.vector import Vector, add, cross, dot, inlined, scale, s
 
 # Resultants of an element: axial force, torque, moments of the ends on the beam about s, about t, per rotation.
 FORCE, TORQUE, S_1, S_2, T_1, T_2 = range(6)
+
+# What a damped element keeps: elastic resultants, those of damping, deformations.
+ELASTIC, DRAG, DEFORMED = 0, 6, 12
+KEPT = 18
 
 
 @inlined
@@ -76,24 +84,42 @@ def turn(triads: Array, nodes: Indices, omega: Array, dt: float) -> None:
                 put(triads[e, end], k, turned(row(triads[e, end], k), p))
 
 
+@inlined
+def resist(
+    R: Array, deformed: tuple[float, float, float, float, float, float], rate: float, kept: Array
+) -> float:
+    """R += rate (R_n - R_{n-1}), rate = beta/dt; returns the work of what is added, 1/2 (old + new) . increments."""
+    work = 0.0
+    for m in range(6):
+        drag = rate * (R[m] - kept[ELASTIC + m])
+        work += 0.5 * (kept[DRAG + m] + drag) * (deformed[m] - kept[DEFORMED + m])
+        kept[ELASTIC + m], kept[DRAG + m], kept[DEFORMED + m] = R[m], drag, deformed[m]
+        R[m] += drag
+    return work
+
+
 @kernel
 def step(
     x: Array,
     nodes: Indices,
     length: Array,
+    limit: Array,
     stiffness: Array,
     triads: Array,
     resultants: Array,
     f: Array,
     moment: Array,
     energy: Array,
+    dt: float,
+    damping: tuple[Array, Array, Array] | None,
 ) -> float:
-    """Add forces and moments, set resultants and the `energy` (1,) stored; the smallest L / L_0, at most 1.
+    """Add forces and moments, set resultants and the `energy` (1,) stored and damped; the shortest stable step.
 
-    `x`, `f`, `moment` (n, 3); `nodes (ne, 2)`; `length (ne,)` L_0; `stiffness (ne, 6)`, see stiffness.py;
-    `triads (ne, 2, 2, 3)`: s and t at each end; `resultants (ne, 6)`.
+    `x`, `f`, `moment` (n, 3); `nodes (ne, 2)`; `length (ne,)` L_0 and the `limit (ne,)` that goes with it; `stiffness
+    (ne, 6)`, see stiffness.py; `triads (ne, 2, 2, 3)`: s and t at each end; `resultants (ne, 6)`; `damping`: beta
+    (ne,), what is kept (ne, 18), the work lost so far (1,).
     """
-    smallest, twice = 1.0, 0.0
+    shortest, twice = np.inf, 0.0
     for e in range(len(nodes)):
         i, j = nodes[e, 0], nodes[e, 1]
         s1, t1, s2, t2 = (
@@ -105,7 +131,7 @@ def step(
         d = subtract(row(x, j), row(x, i))
         L = dot(d, d) ** 0.5
         r = scale(1 / L, d)
-        smallest = min(smallest, L / length[e])
+        shortest = min(shortest, limit[e] * min(1.0, L / length[e]))
 
         u_s1, u_s2 = dot(r, t1), dot(r, t2)
         u_t1, u_t2 = -dot(r, s1), -dot(r, s2)
@@ -122,6 +148,11 @@ def step(
         twice += R[FORCE] * elongation + R[TORQUE] * phi
         twice += R[S_1] * theta_s1 + R[S_2] * theta_s2 + R[T_1] * theta_t1 + R[T_2] * theta_t2
 
+        if damping is not None:
+            beta, kept, lost = damping
+            deformed = (elongation, phi, theta_s1, theta_s2, theta_t1, theta_t2)
+            lost[0] += resist(R, deformed, beta[e] / dt if dt > 0.0 else 0.0, kept[e])
+
         g_1 = subtract(scale(R[S_1] * slope(u_s1), t1), scale(R[T_1] * slope(u_t1), s1))
         g_2 = subtract(scale(R[S_2] * slope(u_s2), t2), scale(R[T_2] * slope(u_t2), s2))
         g = add(g_1, g_2)
@@ -133,4 +164,6 @@ def step(
         pull(moment, i, subtract(cross(g_1, r), torque))
         pull(moment, j, add(cross(g_2, r), torque))
     energy[0] = 0.5 * twice
-    return smallest
+    if damping is not None:
+        energy[0] += damping[2][0]
+    return shortest

@@ -18,6 +18,8 @@ ELFORM = 2
 def build(deck: Deck, model: Model) -> None:
     """Add a force and the lumped mass for each such part."""
     for part in solid_parts(deck, model, ELFORM):
+        if part.rigid:
+            continue
         add_part(deck, model, part, compiled, points=step.POINTS)
 
 

@@ -22,6 +22,8 @@ DEFAULT = 2  # hourglass type where IHQ is 0
 def build(deck: Deck, model: Model) -> None:
     """Add a force and the lumped mass for each such part."""
     for part in solid_parts(deck, model, ELFORM):
+        if part.rigid:
+            continue
         control = _hourglass(deck, part.part)
         modulus = wave_modulus(part.material.e, part.material.pr)
         add_part(

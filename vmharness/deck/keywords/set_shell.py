@@ -1,0 +1,15 @@
+"""*SET_SHELL: shell elements by list."""
+
+from vmharness.deck.card import Card, Rows
+from vmharness.deck.field import integer, real
+from vmharness.deck.keyword import Keyword
+
+SET_SHELL_LIST = Keyword(
+    "SET_SHELL_LIST",
+    Card(sid=integer(above=0), da1=real(0.0), da2=real(0.0), da3=real(0.0), da4=real(0.0)),
+    Rows(per_line=8, shells=integer(0)),
+    aliases=("SET_SHELL",),
+    options=("TITLE",),
+    unique="sid",
+    kind="shell set",
+)

@@ -1,0 +1,194 @@
+"""Rigid bodies of the deck: *MAT_RIGID, *PART_INERTIA, *CONSTRAINED_NODAL_RIGID_BODY and what goes with them.
+
+Mass, centre and inertia are sums over the nodes of a body, of all mass and rotary inertia that is lumped there, also
+by deformable elements that share them; or they are what the _INERTIA cards give, and what the nodes have is left out.
+
+Velocities at t = 0, the later ruling: those of the nodes, as the rigid motion of the same momentum and angular
+momentum; those of the _INERTIA cards, zeros too; those of *INITIAL_VELOCITY_RIGID_BODY. What CMO holds is at rest.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vmharness.deck import Deck
+from vmharness.deck.keywords.initial_velocity_rigid_body import INITIAL_VELOCITY_RIGID_BODY
+from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
+from vmharness.explicit.damping.mass import MassDamping
+from vmharness.explicit.loads.body import BodyLoad, Centrifugal
+from vmharness.explicit.model import Model
+from vmharness.explicit.rigid.bodies import Bodies, Drive, Gather
+from vmharness.explicit.rigid.inertia import Inertia, of_card, of_points, principal, quaternion
+from vmharness.explicit.rigid.members import Member, members
+from vmharness.explicit.rigid.motion import rigid_motion
+from vmharness.explicit.rigid.numbers import body_number
+from vmharness.explicit.state import Array
+
+Index = NDArray[np.intp]
+
+LISTED = 10  # bodies whose mass and inertia are facts of the run; more are only counted
+
+
+def build(deck: Deck, model: Model) -> None:
+    """Take the nodes of all rigid bodies over: their mass goes to the centre."""
+    found = members(deck, model)
+    if not found:
+        return
+    _check_free(model, found)
+    _check_whole(model, found)
+    centre = np.array([model.centre(member.number) for member in found], np.intp)
+    inertia = [_inertia(model, member) for member in found]
+    moments, axes = zip(*(principal(one.tensor) for one in inertia), strict=True)
+    velocity = _velocities(deck, model, found, inertia)
+    model.state.lumped = model.state.mass.copy()
+    for row, member, one, (v, omega) in zip(centre, found, inertia, velocity, strict=True):
+        _place(model, row, member, one, v, omega)
+    motions = _motions(model, centre)
+    for motion in motions:
+        motion.begin(model)  # it overrules
+    for row, member in zip(centre, found, strict=True):
+        _set_nodes(model, row, member.nodes)
+    sizes = [member.nodes.size for member in found]
+    inverse = np.divide(1.0, moments, out=np.zeros((len(found), 3)), where=np.array(moments) > 0.0)
+    bodies = Bodies(
+        numbers=np.array([member.number for member in found]),
+        centre=centre,
+        first=np.concatenate([[0], np.cumsum(sizes)]).astype(np.intp),
+        nodes=np.concatenate([member.nodes for member in found]),
+        arm=np.concatenate([
+            (model.x0[m.nodes] - one.centre) @ e for m, one, e in zip(found, inertia, axes, strict=True)
+        ]),
+        q=np.array([quaternion(e) for e in axes]),
+        principal=np.array(moments),
+        inverse=inverse,
+        L=np.array([one.tensor @ model.state.omega[row] for one, row in zip(inertia, centre, strict=True)]),
+        held=np.array([member.held for member in found]),
+        drives=[_drive(motion, centre) for motion in motions if motion.dof >= 3],
+        damping=_damping(model),
+        fixed=_ruled(model, found),
+    )  # fmt: skip
+    masses = np.array([one.mass for one in inertia])
+    inverse_mass = np.zeros(model.ids.size)
+    inverse_mass[centre] = 1.0 / masses
+    model.constraints.insert(0, Gather(bodies, inverse_mass))
+    model.constraints.append(bodies)
+    model.kinetic.others.append(bodies.kinetic)
+    _say(model, found, inertia)
+
+
+def _check_free(model: Model, found: list[Member]) -> None:
+    """No support or prescribed motion may rule a single node of a body."""
+    for constraint in model.constraints:
+        rows = constraint.nodes if isinstance(constraint, PrescribedMotion) else np.zeros(0, np.intp)
+        ruled = np.asarray(constraint.fixed.any(axis=1))
+        ruled[rows] = True
+        for member in found:
+            for row in member.nodes[ruled[member.nodes]]:
+                what = (
+                    f"{constraint.name} rule its node {model.ids[row]}; a rigid body is held by CMO of *MAT_RIGID, "
+                    "moved by *BOUNDARY_PRESCRIBED_MOTION_RIGID"
+                )
+                raise member.entry.error("pid", what)
+
+
+def _check_whole(model: Model, found: list[Member]) -> None:
+    """What acts on the mass of a part acts on the whole of a body, or not at all."""
+    loads = [(item.name, item.nodes) for item in model.forces if isinstance(item, BodyLoad | Centrifugal)]
+    damping = [item for item in model.constraints if isinstance(item, MassDamping)]
+    loads += [(item.name, nodes) for item in damping for nodes, *_ in item.terms]
+    for name, nodes in loads:
+        acted = np.zeros(model.ids.size, bool)
+        acted[nodes] = True
+        for member in found:
+            if acted[member.nodes].any() and not acted[model.centre(member.number)]:
+                what = f"{name} acts on parts that have nodes of this rigid body, but not on the body itself"
+                raise member.entry.error("pid", what)
+
+
+def _inertia(model: Model, member: Member) -> Inertia:
+    """Mass, centre and inertia of a body; raises DeckError where it has no mass."""
+    s, nodes, entry = model.state, member.nodes, member.entry
+    if member.has_inertia:
+        at = np.array([entry.xc, entry.yc, entry.zc])
+        return of_card(entry, model.x0[model.row(entry, "nodeid", entry.nodeid)] if entry.nodeid else at)
+    if not s.mass[nodes].any():
+        raise entry.error("pid", "a rigid body without mass: its nodes have none")
+    return of_points(model.x0[nodes], s.mass[nodes], s.inertia[nodes])
+
+
+def _velocities(
+    deck: Deck, model: Model, found: list[Member], inertia: list[Inertia]
+) -> list[tuple[Array, Array]]:
+    """Velocity of the centre and angular velocity of each body at t = 0."""
+    s = model.state
+    given = {body_number(deck, e, "pid"): e for e in deck.all(INITIAL_VELOCITY_RIGID_BODY)}
+    velocities = []
+    for member, one in zip(found, inertia, strict=True):
+        rows = member.nodes
+        if entry := given.get(member.number):
+            pair = _vectors(entry.values, "vx", "vy", "vz"), _vectors(entry.values, "vxr", "vyr", "vzr")
+        elif member.has_inertia:
+            values = member.entry.values
+            pair = _vectors(values, "vtx", "vty", "vtz"), _vectors(values, "vrx", "vry", "vrz")
+        else:
+            pair = rigid_motion(
+                model.x0[rows], s.v[rows], s.omega[rows], s.mass[rows], s.inertia[rows], one.centre
+            )
+        velocities.append(pair)
+    return velocities
+
+
+def _vectors(values: dict[str, float], *names: str) -> Array:
+    return np.array([values[name] for name in names])
+
+
+def _place(model: Model, row: int, member: Member, inertia: Inertia, v: Array, omega: Array) -> None:
+    """Put the body's mass and velocity on the row of its centre, and leave none on its nodes."""
+    s, held = model.state, member.held
+    v, omega = np.where(held[:3], 0.0, v), np.where(held[3:], 0.0, omega)
+    s.mass[member.nodes] = s.inertia[member.nodes] = 0.0
+    s.mass[row] = inertia.mass
+    s.x[row] = model.x0[row] = inertia.centre
+    s.v[row], s.omega[row] = v, omega
+
+
+def _set_nodes(model: Model, centre: np.intp, nodes: Index) -> None:
+    """v_k = v_c + omega x r of the nodes."""
+    s = model.state
+    s.v[nodes] = s.v[centre] + np.cross(s.omega[centre], s.x[nodes] - s.x[centre])
+    s.omega[nodes] = s.omega[centre]
+
+
+def _ruled(model: Model, found: list[Member]) -> NDArray[np.bool_]:
+    """All degrees of freedom of the nodes, and what CMO holds of the centres."""
+    fixed = np.zeros((model.ids.size, 6), bool)
+    for member in found:
+        fixed[member.nodes] = True
+        fixed[model.centre(member.number)] = member.held
+    return fixed
+
+
+def _motions(model: Model, centre: Index) -> list[PrescribedMotion]:
+    """Prescribed motions of centres."""
+    motions = [item for item in model.constraints if isinstance(item, PrescribedMotion)]
+    return [motion for motion in motions if np.isin(motion.nodes, centre).any()]
+
+
+def _drive(motion: PrescribedMotion, centre: Index) -> Drive:
+    return Drive(int(np.flatnonzero(centre == motion.nodes[0])[0]), motion.axis, motion.total)
+
+
+def _damping(model: Model) -> Array | None:
+    """D S (n, 6) of mass damping, kept up to date by it."""
+    return next((item.rate for item in model.constraints if isinstance(item, MassDamping)), None)
+
+
+def _say(model: Model, found: list[Member], inertia: list[Inertia]) -> None:
+    if len(found) > LISTED:
+        model.facts["Rigid bodies"] = str(len(found))
+        return
+    for member, one in zip(found, inertia, strict=True):
+        centre = ", ".join(f"{value:.6g}" for value in one.centre)
+        moments = ", ".join(f"{value:.6g}" for value in sorted(np.linalg.eigvalsh(one.tensor)))
+        model.facts[f"Rigid body {member.number}"] = (
+            f"mass {one.mass:.6g}, centre ({centre}), principal moments {moments}"
+        )

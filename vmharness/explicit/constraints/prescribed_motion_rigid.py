@@ -1,0 +1,43 @@
+"""*BOUNDARY_PRESCRIBED_MOTION_RIGID: the centre of a rigid body, or its rotation, that follows a curve.
+
+The laws are those of nodes (prescribed_motion.py) at the centre of mass; DOF 5, 6, 7 give the component of the angular
+velocity (VAD 0), of its rate (1), or of its integral (2) about a global axis. That integral is the angle of rotation
+where the axis keeps its direction, as it does when the other rotations are held; else there is no such angle. What
+drives a rotation does so from the beginning to the end of the run. Its moment is that about the centre.
+"""
+
+import numpy as np
+
+from vmharness.deck import Card, Deck, Keyword
+from vmharness.deck.field import integer
+from vmharness.explicit.constraints import prescribed_motion
+from vmharness.explicit.constraints.prescribed_motion import MOTION
+from vmharness.explicit.dof import place
+from vmharness.explicit.model import Model
+from vmharness.explicit.rigid.members import held_by_cmo
+from vmharness.explicit.rigid.numbers import definitions, lead_number
+
+BOUNDARY_PRESCRIBED_MOTION_RIGID = Keyword(
+    "BOUNDARY_PRESCRIBED_MOTION_RIGID",
+    Card({"pid": integer(above=0), **MOTION}),
+    options=("ID",),
+    repeat=True,
+)
+
+
+def build(deck: Deck, model: Model) -> None:
+    """Add a constraint on the centre of a body for each card; one degree of freedom has one master."""
+    moved: set[tuple[int, int]] = set()
+    first = 1 + sum(isinstance(c, prescribed_motion.PrescribedMotion) for c in model.constraints)
+    for number, entry in enumerate(deck.all(BOUNDARY_PRESCRIBED_MOTION_RIGID), first):
+        body, dof = lead_number(deck, entry, "pid"), place(entry)
+        (definition,) = (other for other in definitions(deck) if other.pid == body)
+        if held_by_cmo(deck, definition)[dof]:
+            raise entry.error("dof", f"CMO of *MAT_RIGID holds body {body} in this direction")
+        if (body, dof) in moved:
+            raise entry.error("dof", f"another prescribed motion moves body {body} in this direction")
+        moved.add((body, dof))
+        motion = prescribed_motion.motion(deck, model, entry, np.array([model.centre(body)], np.intp), number)
+        if dof >= 3 and not motion.throughout(model.end_time):
+            raise entry.error("birth", "a driven rotation begins at 0 and lasts to the end of the run")
+        model.constraints.append(motion)

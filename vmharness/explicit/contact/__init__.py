@@ -1,0 +1,1 @@
+"""From the cards of a *CONTACT_... to its force: what all such keywords have in common."""

@@ -1,0 +1,13 @@
+"""The number by which a contact is known: CID, or its place among the contacts of the deck."""
+
+from vmharness.deck import Deck, Entry
+
+
+def number_of(deck: Deck, entry: Entry) -> int:
+    """CID or place of a contact; raises DeckError where another has the same."""
+    contacts = [other for other in deck.entries if other.keyword.name.startswith("CONTACT_")]
+    numbers = [other.cid or place for place, other in enumerate(contacts, 1)]
+    number = entry.cid or contacts.index(entry) + 1
+    if numbers.count(number) > 1:
+        raise entry.error("cid", "another contact has this number; give each its own by _ID")
+    return number

@@ -1,0 +1,56 @@
+"""The deck's *DAMPING_PART_STIFFNESS -> damped elements, and the step that they need."""
+
+from math import hypot
+
+import numpy as np
+
+from vmharness.deck import Card, Deck, Keyword
+from vmharness.deck.field import integer, real
+from vmharness.deck.keywords.part import PART
+from vmharness.explicit.force import Dampable, Elements
+from vmharness.explicit.model import Model
+from vmharness.explicit.state import Array
+
+DAMPING_PART_STIFFNESS = Keyword(
+    "DAMPING_PART_STIFFNESS",
+    Card(pid=integer(above=0), coef=real(0.0)),
+    repeat=True,
+    unique="pid",
+    kind="part damped by stiffness",
+)
+
+
+def build(deck: Deck, model: Model) -> None:
+    """Damp the elements of each part, and cap the step; raises DeckError at parts that cannot be damped."""
+    for entry in deck.all(DAMPING_PART_STIFFNESS):
+        deck.find(PART, pid=entry.pid, referred_by=(entry, "pid"))
+        for block in [
+            force for force in model.forces if isinstance(force, Elements) and force.pid == entry.pid
+        ]:
+            if not isinstance(block, Dampable):
+                raise entry.error("pid", f"damping of {block.name} by stiffness is not supported")
+            if entry.coef:
+                steps = block.steps(model.state.x)
+                damp(
+                    model, block, entry.coef * steps if entry.coef > 0.0 else np.full_like(steps, -entry.coef)
+                )
+
+
+def damp(model: Model, block: Dampable, beta: Array) -> None:
+    """Damp a block with `beta` (ne,), a time, and let no step be longer than it then may be."""
+    block.damp(beta)
+
+    def longest(t: float) -> float:
+        zeta = float(np.max(beta / block.steps(model.state.x)))
+        return model.step_factor * shortened(block.stable_step(), zeta)
+
+    model.caps.append(longest)
+
+
+def shortened(step: float, zeta: float) -> float:
+    """The stable step with the fraction `zeta` of critical damping, half a step old.
+
+    >>> shortened(2.0, 0.75)
+    1.0
+    """
+    return step * (hypot(1.0, zeta) - zeta)

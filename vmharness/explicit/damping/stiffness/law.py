@@ -1,0 +1,144 @@
+"""Laws with stiffness damping around laws without, for each state of stress.
+
+A damped law has the signature of the law that it holds (materials/elastic.py). Its constants are those of that law and
+the number of its history variables; these are followed by the law's own stress, then beta.
+"""
+
+from collections.abc import Callable
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vmharness.explicit.compiled import specialise
+from vmharness.explicit.state import Array
+from vmharness.explicit.vector import inlined
+
+if TYPE_CHECKING:  # not this, but what `damped` binds
+    from vmharness.explicit.materials.elastic import plane_stress as law
+
+
+@cache
+def damped(around: Callable[..., Any], law: Callable[..., Any]) -> Callable[..., Any]:
+    """The damped law, compiled: `around` is one of those below."""
+    return specialise(around, law=law)
+
+
+def memory(beta: Array, points: int, history: int, stresses: int) -> Array:
+    """History (ne, points, variables) in the beginning, of a law with `history` variables and `stresses`.
+
+    >>> memory(np.array([0.5]), points=1, history=1, stresses=2)
+    array([[[0. , 0. , 0. , 0.5]]])
+    """
+    kept = np.zeros((beta.size, points, history + stresses + 1))
+    kept[..., -1] = beta[:, None]
+    return kept
+
+
+@inlined
+def per_step(beta: float, dt: float) -> float:
+    """beta/dt; 0 before the first step, when nothing has changed."""
+    return beta / dt if dt > 0.0 else 0.0
+
+
+def plane_stress(
+    constants: tuple[Any, int],
+    dt: float,
+    dexx: float,
+    deyy: float,
+    dexy: float,
+    deyz: float,
+    dezx: float,
+    txx: float,
+    tyy: float,
+    txy: float,
+    tyz: float,
+    tzx: float,
+    history: Array,
+    at: int,
+    stride: int,
+) -> tuple[float, float, float, float, float, float]:
+    """tau = s + beta (s - past s)/dt, and the strain through the thickness of the law."""
+    own = at + constants[1] * stride
+    pxx, pyy, pxy = history[own], history[own + stride], history[own + 2 * stride]
+    pyz, pzx = history[own + 3 * stride], history[own + 4 * stride]
+    rate = per_step(history[own + 5 * stride], dt)
+    sxx, syy, sxy, syz, szx, dezz = law(
+        constants[0], dt, dexx, deyy, dexy, deyz, dezx, pxx, pyy, pxy, pyz, pzx, history, at, stride
+    )
+    history[own], history[own + stride], history[own + 2 * stride] = sxx, syy, sxy
+    history[own + 3 * stride], history[own + 4 * stride] = syz, szx
+    return (
+        sxx + rate * (sxx - pxx),
+        syy + rate * (syy - pyy),
+        sxy + rate * (sxy - pxy),
+        syz + rate * (syz - pyz),
+        szx + rate * (szx - pzx),
+        dezz,
+    )
+
+
+def solid(
+    constants: tuple[Any, int],
+    dt: float,
+    dexx: float,
+    deyy: float,
+    dezz: float,
+    dexy: float,
+    deyz: float,
+    dezx: float,
+    txx: float,
+    tyy: float,
+    tzz: float,
+    txy: float,
+    tyz: float,
+    tzx: float,
+    history: Array,
+    at: int,
+    stride: int,
+) -> tuple[float, float, float, float, float, float]:
+    """tau = s + beta (s - past s)/dt."""
+    own = at + constants[1] * stride
+    pxx, pyy, pzz = history[own], history[own + stride], history[own + 2 * stride]
+    pxy, pyz, pzx = history[own + 3 * stride], history[own + 4 * stride], history[own + 5 * stride]
+    rate = per_step(history[own + 6 * stride], dt)
+    sxx, syy, szz, sxy, syz, szx = law(
+        constants[0],
+        dt,
+        dexx,
+        deyy,
+        dezz,
+        dexy,
+        deyz,
+        dezx,
+        pxx,
+        pyy,
+        pzz,
+        pxy,
+        pyz,
+        pzx,
+        history,
+        at,
+        stride,
+    )
+    history[own], history[own + stride], history[own + 2 * stride] = sxx, syy, szz
+    history[own + 3 * stride], history[own + 4 * stride], history[own + 5 * stride] = sxy, syz, szx
+    return (
+        sxx + rate * (sxx - pxx),
+        syy + rate * (syy - pyy),
+        szz + rate * (szz - pzz),
+        sxy + rate * (sxy - pxy),
+        syz + rate * (syz - pyz),
+        szx + rate * (szx - pzx),
+    )
+
+
+def uniaxial(
+    constants: tuple[Any, int], dt: float, deps: float, t: float, history: Array, at: int, stride: int
+) -> float:
+    """tau = s + beta (s - past s)/dt."""
+    own = at + constants[1] * stride
+    past, rate = history[own], per_step(history[own + stride], dt)
+    s: float = law(constants[0], dt, deps, past, history, at, stride)
+    history[own] = s
+    return s + rate * (s - past)

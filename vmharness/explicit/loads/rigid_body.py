@@ -1,0 +1,30 @@
+"""*LOAD_RIGID_BODY: a force at the centre of a rigid body, or a moment, SF LC(t), along a global axis."""
+
+import numpy as np
+
+from vmharness.deck import Card, Deck, Entry, Keyword
+from vmharness.deck.field import integer
+from vmharness.explicit.curve import time_curve
+from vmharness.explicit.dof import place
+from vmharness.explicit.loads.node import LOAD, NodalLoad
+from vmharness.explicit.model import Model
+from vmharness.explicit.rigid.numbers import lead_number
+
+LOAD_RIGID_BODY = Keyword("LOAD_RIGID_BODY", Card({"pid": integer(above=0), **LOAD}), repeat=True)
+
+
+def build(deck: Deck, model: Model) -> None:
+    """Add a force for each card: to the loop, the centre of a body is a node."""
+    for entry in deck.all(LOAD_RIGID_BODY):
+        model.forces.append(_load(deck, model, entry))
+
+
+def _load(deck: Deck, model: Model, entry: Entry) -> NodalLoad:
+    number = lead_number(deck, entry, "pid")
+    return NodalLoad(
+        name=f"load on rigid body {number}",
+        nodes=np.array([model.centre(number)], np.intp),
+        dofs=np.array([place(entry)]),
+        scale=np.array([entry.sf]),
+        curve=time_curve(deck, entry, "lcid", model.end_time),
+    )

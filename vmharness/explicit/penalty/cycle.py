@@ -1,0 +1,98 @@
+"""One cycle of a pass of nodes against segments.
+
+What a node can touch is found by sorting (`bucket`), with a margin, and stays all that it can touch until nodes and
+segments have moved against each other by that margin. Their motion is bounded by the ranges of their velocities, summed
+over the steps; with it, each node keeps the distance to the nearest segment that it does not touch, and is not looked
+at before that can have been used up.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vmharness.explicit.compiled import kernel
+from vmharness.explicit.penalty.follow import follow
+from vmharness.explicit.penalty.onset import look
+from vmharness.explicit.penalty.push import push
+from vmharness.explicit.penalty.touch import Record, Records
+from vmharness.explicit.penalty.work import half_work, let_go
+from vmharness.explicit.state import Array
+
+Index = NDArray[np.intp]
+
+REACH = 1.01  # so that a node which begins to fall from the surface itself is not missed by round-off
+
+
+@kernel
+def cycle(
+    f: Array, x: Array, v: Array, a: Array, mass: Array, dt: float, nodes: Records, segments: Records,
+    touches: Records, first: Index, beside: Index, near_first: Index, near: Index, rows: Index,
+    rules: Records, account: Array, sorted_now: bool,
+) -> bool:  # fmt: skip
+    """Add contact forces at t_n, and the work of the step; False, and nothing done, where a sort must come first.
+
+    `account` receives the energies "contact" and "friction" and the sum of forces on the nodes.
+    """
+    rule = rules[0]
+    step = REACH * dt * fastest(v, nodes, rows)
+    travel = 0.0 if sorted_now else rule["travel"] + step
+    if travel > rule["margin"]:
+        return False
+    rule["travel"], rule["longest"] = travel, max(rule["longest"], dt)
+    account[2:] = 0.0
+    for t in range(nodes.size):
+        node = nodes[t]
+        if node["count"] == 0 and node["clear"] > travel and not sorted_now:
+            continue
+        own = touches[t]
+        for k in range(node["count"]):
+            half_work(x, v, dt, node, segments, own[k], rule, account)
+        node["force"][0] = node["force"][1] = node["force"][2] = 0.0
+        if keep_up(x, node, own, segments, first, beside, rule["maxpar"], account) or sorted_now:
+            node["clear"] = 0.0
+        if node["clear"] <= travel:
+            candidates = near[near_first[t] : near_first[t + 1]]
+            node["clear"] = travel + look(
+                x, v, dt, step, node, own, segments, first, beside, candidates, rule["maxpar"],
+                rule["start"], rule["ignore"],
+            )  # fmt: skip
+        for k in range(node["count"]):
+            push(f, x, v, a, mass, dt, node, segments, own[k], rule, account)
+    rule["start"] = False
+    return True
+
+
+@kernel
+def keep_up(
+    x: Array, node: Record, touches: Records, segments: Records, first: Index, beside: Index, maxpar: float,
+    account: Array,
+) -> bool:  # fmt: skip
+    """Follow all touches of a node; True where one has moved to another segment or let go."""
+    changed, k = False, 0
+    while k < node["count"]:
+        segment = touches[k]["segment"]
+        if follow(x, node, touches, k, segments, first, beside, maxpar):
+            changed = changed or touches[k]["segment"] != segment
+            k += 1
+        else:
+            changed = True
+            let_go(touches[k], account)
+            node["count"] -= 1
+            for later in range(k, node["count"]):
+                touches[later] = touches[later + 1]
+    return changed
+
+
+@kernel
+def fastest(v: Array, nodes: Records, rows: Index) -> float:
+    """A bound of the relative velocity of any of the nodes and any of the `rows` of segments."""
+    square = 0.0
+    for j in range(3):
+        low, high = v[rows[0], j], v[rows[0], j]
+        for r in rows:
+            low, high = min(low, v[r, j]), max(high, v[r, j])
+        least, most = 0.0, 0.0
+        for t in range(nodes.size):
+            here = v[nodes[t]["row"], j]
+            least, most = min(least, here - high), max(most, here - low)
+        square += max(-least, most) ** 2
+    return float(np.sqrt(square))

@@ -1,0 +1,1 @@
+"""Rigid walls, one a file or folder; the folder is the list."""

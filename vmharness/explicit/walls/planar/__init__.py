@@ -1,0 +1,37 @@
+"""*RIGIDWALL_PLANAR: nodes kept before a rigid plane, which stands or moves along its normal n with a mass M.
+
+With the gap g_i of a node, its normal velocity u_i and that of the wall w, no node ends a step behind the wall, and
+the wall only pushes (impulses p_i of the step, all at once):
+
+    g_i + dt (u_i' - w') >= 0        p_i >= 0        p_i [g_i + dt (u_i' - w')] = 0
+    u_i' = u_i + p_i/m_i             w' = w - sum p_i/M              (M infinite for a wall that stands)
+
+so that p_i = m_i max(0, w' - s_i), s_i = u_i + g_i/dt, and w' is the root of M (w - w') = sum p_i (law.py). A node that
+would pass through the wall ends its step on it, and has the wall's velocity after the next: a perfectly plastic impact
+of that node. A body of many nodes bounces by its own elasticity. A node on the wall that is pressed against it has, in
+the same way, the acceleration A = dw/dt of the wall,
+
+    r_i = m_i max(0, A - a_i . n)        M A = -sum r_i
+
+and one that pulls has r_i = 0: it lets go. Friction takes the tangential momentum q_i of the step, up to f p_i:
+
+    FRIC = 0 none        0 < FRIC < 1 Coulomb, f = FRIC        FRIC = 1 no sliding
+
+What wall and nodes exchange is conserved to round-off. The account "rigid wall" holds the kinetic energy of a moving
+wall, and what impacts and friction have taken.
+
+A wall acts on nodes that come from its front; one that is behind it, round the edge of a finite wall or before BIRTH,
+passes. A node that a support or a prescribed motion holds along n has its master already, and is left out. The wall
+acts from BIRTH to DEATH; OFFSET > 0 leaves out nodes that begin farther from it.
+
+Source: LS-DYNA keyword manual, the cards and the default treatment, by momentum and not by penalty (RWPNAL = 0);
+J. J. Moreau, Unilateral contact and dry friction in finite freedom dynamics (1988), for the conditions.
+
+    keyword.py   cards        face.py   the plane and its edges        law.py   one step of all nodes
+    wall.py      the wall as a constraint                              build.py   from the deck
+"""
+
+from vmharness.explicit.walls.planar.build import build
+from vmharness.explicit.walls.planar.keyword import KEYWORDS
+
+__all__ = ["KEYWORDS", "build"]
