@@ -60,4 +60,4 @@ def test_the_deck_that_ran_is_kept():
 
 
 def test_a_mesh_that_lacks_the_measured_node_cannot_run():
-    assert "no node 401" in solve(read(BAR).with_given({"n": 25.0})).failure
+    assert "no *NODE 401" in solve(read(BAR).with_given({"n": 25.0})).failure
