@@ -1,4 +1,4 @@
-"""The penalty stiffness of a segment is K A, not K A / d."""
+"""The penalty stiffness of a shell in contact is K A, not K A / d."""
 
 KIND = "physics"
 MODULE = "vmharness.explicit.surface.facets"
