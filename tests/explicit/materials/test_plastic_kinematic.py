@@ -26,7 +26,7 @@ def constants(deck):
 def test_plastic_modulus_is_shared_by_beta(constants, beta, C, slope):
     """E_p = E Et / (E - Et)."""
     got = constants(f"1,7.8e-6,210.0,0.3,0.4,2.0,{beta}")
-    assert got == (210.0, 0.3, pytest.approx(C), ((0.4, pytest.approx(slope)), None), None)
+    assert got == (210.0, 0.3, pytest.approx(C), ((0.4, pytest.approx(slope)), None, None), None)
 
 
 def test_rate(constants):

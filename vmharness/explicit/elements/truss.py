@@ -33,6 +33,7 @@ from vmharness.explicit.lanes import LANES, Indices, by_block, by_element, put, 
 from vmharness.explicit.material import law_of
 from vmharness.explicit.materials.elastic import uniaxial as law
 from vmharness.explicit.model import Model
+from vmharness.explicit.plasticity.ahead import looks_ahead, with_law
 from vmharness.explicit.state import Array, State
 from vmharness.explicit.vector import add, dot, scale, subtract
 
@@ -108,7 +109,7 @@ class Truss:
         self._work = np.zeros(ROWS * LANES)
         self._shortest = np.inf
         self.energy = {"internal": np.zeros(1)}
-        self._law, self._step = law, _compiled(law)
+        self._law, self._step = law, _compiled(law, looks_ahead(constants))
 
     def add(self, state: State) -> None:
         """Add forces at t_n, and the work of the step that led there."""
@@ -145,8 +146,8 @@ class Truss:
         """Add to the stress of the law `beta` (ne,) times its rate; to be asked for before the first step."""
         history = self._history.shape[-1] // LANES
         self._history = by_block(memory(beta, 1, history, 1)[:, 0])
-        self._constants = (self._constants, history)
-        self._step = _compiled(damped(uniaxial, self._law))
+        self._step = _compiled(damped(uniaxial, self._law), looks_ahead(self._constants))
+        self._constants = (*self._constants, history)
 
     def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
         """`axial-stress`, `axial-force` (tension positive) or a channel of the law; `element`: its place in `eid`."""
@@ -162,8 +163,8 @@ class Truss:
 
 
 @cache
-def _compiled(law: Callable[..., Any]) -> Callable[..., float]:
-    return specialise(step, stretch=specialise(stretch, law=law))
+def _compiled(law: Callable[..., Any], ahead: bool) -> Callable[..., float]:
+    return specialise(step, stretch=with_law(stretch, law, ahead))
 
 
 def stretch(

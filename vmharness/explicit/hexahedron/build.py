@@ -20,9 +20,7 @@ def wave_modulus(e: float, nu: float) -> float:
     return e * (1 - nu) / ((1 + nu) * (1 - 2 * nu))
 
 
-def add_part(
-    deck: Deck, model: Model, part: Part, compiled: Callable[[Callable[..., Any]], Any], **formulation: Any
-) -> None:
+def add_part(deck: Deck, model: Model, part: Part, compiled: Callable[..., Any], **formulation: Any) -> None:
     """Add the force of a part and its lumped mass; `compiled` makes the compiled step for a law."""
     material = part.material
     law = law_of(material, "solid", part.part)

@@ -14,6 +14,7 @@ backward Euler rule: the flow direction is that of the end of the step, and the 
     plane_stress.py   the same with s_zz = 0: J. C. Simo, R. L. Taylor, Int. J. Numer. Meth. Engng 22 (1986) 649-670
     uniaxial.py       the same with one stress
     consistency.py    the equation of the radial and of the uniaxial return
+    ahead.py          a step of many elements, each with the part of a long Y(p) that is next to it
     viscous.py        these equations where the yield stress goes with the plastic strain rate
 
 The three laws take the constants (E, nu, C, Y, rate); C is None without kinematic hardening, rate without dependence

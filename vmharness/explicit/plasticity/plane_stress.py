@@ -16,7 +16,7 @@ comes up to the root and never passes it. Four steps give round-off at thirty ti
 """
 
 from vmharness.explicit.plasticity.modulus import modulus
-from vmharness.explicit.plasticity.piecewise_linear import Curve, value_and_slope
+from vmharness.explicit.plasticity.piecewise_linear import Curve, of_lane, value_and_slope
 from vmharness.explicit.plasticity.rate import Rate, Viscous, factor, viscous_part
 from vmharness.explicit.plasticity.viscous import viscous_multiplier
 from vmharness.explicit.state import Array
@@ -105,7 +105,8 @@ def plane_stress(
 
     de_zz = -nu/E (change of s_xx + s_yy) - lambda eta_+ / 3; the rate takes it as -(de_xx + de_yy), as in flow.
     """
-    E, nu, C, Y, rate = constants
+    E, nu, C, curve, rate = constants
+    Y = of_lane(curve, at, stride)
     G, bulk, p = E / (2 * (1 + nu)), E / (1 - nu), history[at]
     shears = dexy * dexy + deyz * deyz + dezx * dezx
     r = factor(rate, 4 / 3 * (dexx * dexx + deyy * deyy + dexx * deyy) + shears / 3, dt)

@@ -6,7 +6,7 @@ s = s_trial - 3 G dp xi / q,   d(alpha) = C dp xi / q;   the pressure is elastic
 
 from vmharness.explicit.plasticity.consistency import rate_increment
 from vmharness.explicit.plasticity.modulus import modulus
-from vmharness.explicit.plasticity.piecewise_linear import Curve
+from vmharness.explicit.plasticity.piecewise_linear import Curve, of_lane
 from vmharness.explicit.plasticity.rate import Rate, factor, viscous_part
 from vmharness.explicit.state import Array
 from vmharness.explicit.vector import inlined
@@ -70,7 +70,8 @@ def solid(
     stride: int,
 ) -> Tensor:
     """Stress xx, yy, zz, xy, yz, zx after a strain increment (engineering shears)."""
-    E, nu, C, Y, rate = constants
+    E, nu, C, curve, rate = constants
+    Y = of_lane(curve, at, stride)
     G, p = E / (2 * (1 + nu)), history[at]
     mean = (dexx + deyy + dezz) / 3
     de = (dexx - mean, deyy - mean, dezz - mean, 0.5 * dexy, 0.5 * deyz, 0.5 * dezx)

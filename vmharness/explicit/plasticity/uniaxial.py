@@ -4,7 +4,7 @@ from math import copysign
 
 from vmharness.explicit.plasticity.consistency import rate_increment
 from vmharness.explicit.plasticity.modulus import modulus
-from vmharness.explicit.plasticity.piecewise_linear import Curve
+from vmharness.explicit.plasticity.piecewise_linear import Curve, of_lane
 from vmharness.explicit.plasticity.rate import Rate, factor, viscous_part
 from vmharness.explicit.state import Array
 from vmharness.explicit.vector import inlined
@@ -36,7 +36,8 @@ def uniaxial(
     stride: int,
 ) -> float:
     """Axial stress after a strain increment."""
-    E, _, C, Y, rate = constants
+    E, _, C, curve, rate = constants
+    Y = of_lane(curve, at, stride)
     p, trial = history[at], s + E * deps
     eta = trial - back_stress(C, history, at, stride)
     r = factor(rate, deps * deps, dt)

@@ -6,6 +6,7 @@ from functools import cache
 from typing import Any
 
 from vmharness.explicit.compiled import specialise
+from vmharness.explicit.plasticity.ahead import with_law
 from vmharness.explicit.shell import point, step
 from vmharness.explicit.state import Array
 
@@ -29,12 +30,12 @@ class Kind:
 
 
 @cache
-def compiled_step(kind: Kind, law: Callable[..., Any], isdo: int) -> Callable[..., float]:
-    """The step for one law and one characteristic length."""
+def compiled_step(kind: Kind, law: Callable[..., Any], ahead: bool, isdo: int) -> Callable[..., float]:
+    """The step for one law (`ahead`: see plasticity/ahead.py) and one characteristic length."""
     return specialise(
         step.step,
         strain=kind.strain,
-        stress_at_point=specialise(point.stress_at_point, law=law),
+        stress_at_point=with_law(point.stress_at_point, law, ahead),
         hourglass_force=kind.hourglass_force,
         force=specialise(kind.force, length=kind.lengths[isdo]),
     )

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from vmharness.explicit.damping.stiffness.law import damped, memory, plane_stress
 from vmharness.explicit.lanes import LANES, Indices, by_block, by_element
+from vmharness.explicit.plasticity.ahead import looks_ahead
 from vmharness.explicit.shell.kind import Kind, compiled_lengths, compiled_step
 from vmharness.explicit.shell.rows import DENSITY_ROOT, ROWS, THICKNESS
 from vmharness.explicit.state import Array, State
@@ -76,7 +77,7 @@ class Shells:
         self._energy = np.zeros(2)
         self.energy = {"internal": self._energy[:1], "hourglass": self._energy[1:]}
         self._shape, self._law, self._isdo = shape, law, isdo
-        self._step = compiled_step(shape, law, isdo)
+        self._step = compiled_step(shape, law, looks_ahead(constants), isdo)
         self._lengths = compiled_lengths(shape, isdo)
 
     def add(self, state: State) -> None:
@@ -123,8 +124,9 @@ class Shells:
         """Add to the stress of the law `beta` (ne,) times its rate; to be asked for before the first step."""
         history = self._history.shape[-1] // LANES
         self._history = by_block(memory(beta, self.nip, history, len(STRESSES)))
-        self._constants = (self._constants, history)
-        self._step = compiled_step(self._shape, damped(plane_stress, self._law), self._isdo)
+        law, ahead = damped(plane_stress, self._law), looks_ahead(self._constants)
+        self._constants = (*self._constants, history)
+        self._step = compiled_step(self._shape, law, ahead, self._isdo)
 
     @property
     def stress(self) -> Array:

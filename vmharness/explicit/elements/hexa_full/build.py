@@ -10,6 +10,7 @@ from vmharness.explicit.elements.hexa_full import step
 from vmharness.explicit.hexahedron import stress
 from vmharness.explicit.hexahedron.build import add_part
 from vmharness.explicit.model import Model
+from vmharness.explicit.plasticity.ahead import with_law
 from vmharness.explicit.solids import solid_parts
 
 ELFORM = 2
@@ -24,6 +25,6 @@ def build(deck: Deck, model: Model) -> None:
 
 
 @cache
-def compiled(law: Callable[..., Any]) -> Callable[..., float]:
-    """The step for one law."""
-    return specialise(step.step, stress_at_point=specialise(stress.stress_at_point, law=law))
+def compiled(law: Callable[..., Any], ahead: bool) -> Callable[..., float]:
+    """The step for one law; `ahead`: see plasticity/ahead.py."""
+    return specialise(step.step, stress_at_point=with_law(stress.stress_at_point, law, ahead))
