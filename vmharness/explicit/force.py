@@ -22,17 +22,17 @@ class Force(Protocol):
     def add(self, state: State) -> None:
         """Add force and moment at t_n to `state.f` and `state.moment`, and the work of the step that led to t_n."""
 
-    def stable_step(self) -> float:
-        """The largest stable time step at the geometry of the last `add`; infinity where none is set."""
-
 
 @runtime_checkable
 class Elements(Force, Protocol):
-    """A force that is the elements of one kind in one part."""
+    """A force that is the elements of one kind in one part; these alone set the time step."""
 
     kind: str  # "shell", "solid", "beam", "discrete"
     pid: int | None  # of the part
     eid: NDArray[np.int64]  # (ne,) numbers of the elements
+
+    def stable_step(self) -> float:
+        """The largest stable time step at the geometry of the last `add`; infinity where none is set."""
 
     def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
         """What shows a component, such as `xx-stress`, of the element at this place in `eid`; points count from 1.

@@ -29,10 +29,10 @@ def steps(model: Model) -> Iterator[State]:
         clear(s.f, s.moment)
         crew.add_forces()
 
-        sizes = crew.over_nodes(
+        size = crew.over_nodes(
             accelerate, s.a, s.alpha, s.f, s.moment, model.inverse_mass, model.inverse_inertia
         )
-        if not math.isfinite(sum(sizes)):
+        if not math.isfinite(size):
             raise SolverError(s, "the motion is no longer finite: the run has diverged", model.wildest())
         for constraint in model.constraints:
             constraint.accelerate(s)

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +14,7 @@ from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
 from vmharness.deck.keywords.node import NODE
 from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.energy import KineticEnergy
-from vmharness.explicit.force import Force
+from vmharness.explicit.force import Elements, Force
 from vmharness.explicit.rigid.numbers import numbers
 from vmharness.explicit.state import Array, State
 from vmharness.explicit.threads import ncpu
@@ -89,9 +90,14 @@ class Model:
         np.add.at(self.state.mass, rows, mass)
         np.add.at(self.state.inertia, rows, inertia)
 
+    @cached_property
+    def blocks(self) -> list[Elements]:
+        """The forces that are elements, as they are when first asked for."""
+        return [force for force in self.forces if isinstance(force, Elements)]
+
     def next_step(self) -> float:
-        """The step from t_n on: TSSFAC times the shortest that any force sets, or what caps it."""
-        stable = self.step_factor * min([force.stable_step() for force in self.forces], default=np.inf)
+        """The step from t_n on: TSSFAC times the shortest that any elements set, or what caps it."""
+        stable = self.step_factor * min([block.stable_step() for block in self.blocks], default=np.inf)
         return min([stable, *[cap(self.state.t) for cap in self.caps]]) if self.caps else stable
 
     def wildest(self) -> str:
@@ -101,8 +107,8 @@ class Model:
         return f"first seen at {'node' if number > 0 else 'rigid body'} {abs(number)}"
 
     def controlling(self) -> str:
-        """Which force sets the time step."""
-        return f"set by {min(self.forces, key=lambda force: force.stable_step()).name}" if self.forces else ""
+        """Which elements set the time step."""
+        return f"set by {min(self.blocks, key=lambda block: block.stable_step()).name}" if self.blocks else ""
 
 
 def build(deck: Deck) -> Model:

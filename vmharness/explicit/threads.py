@@ -57,13 +57,14 @@ class Crew:
             other = done.result()
             self.over_nodes(collect, self.state.f, self.state.moment, other.f, other.moment)
 
-    def over_nodes(self, function: Callable[..., Any], *arguments: Any) -> list[Any]:
-        """What a kernel returns for each run of nodes, when given its rows of all arrays; runs are computed at once."""
+    def over_nodes(self, function: Callable[..., Any], *arguments: Any) -> Any:
+        """What a kernel returns, if anything, summed over runs of nodes that are computed at once."""
         if self.pool is None:
-            return [function(*arguments)]
+            return function(*arguments)
         cut = [[a[run] if isinstance(a, np.ndarray) else a for a in arguments] for run in self.runs]
         waiting = [self.pool.submit(function, *own) for own in cut[1:]]
-        return [function(*cut[0]), *(done.result() for done in waiting)]
+        returned = [function(*cut[0]), *(done.result() for done in waiting)]
+        return None if returned[0] is None else sum(returned)
 
     def _add(self, forces: list[Force], other: State) -> State:
         other.t, other.dt, other.cycle = self.state.t, self.state.dt, self.state.cycle

@@ -90,10 +90,6 @@ class BodyLoad:
             self.energy["external work"],
         )
 
-    def stable_step(self) -> float:
-        """A load sets no step."""
-        return np.inf
-
 
 class Centrifugal:
     """f = m (SF LC(t))^2 r outward from an axis parallel to x, y or z through `centre` (3,), on `nodes` (m,)."""
@@ -111,10 +107,6 @@ class Centrifugal:
             state.f, state.x, state.v, state.mass, self.nodes, self.axis, self.centre,
             before, self.square, state.dt, self.energy["external work"],
         )  # fmt: skip
-
-    def stable_step(self) -> float:
-        """A load sets no step."""
-        return np.inf
 
 
 @kernel

@@ -64,10 +64,6 @@ class NodalLoad:
             self.now, 0.5 * (before + self.now) * state.dt, self.energy["external work"],
         )  # fmt: skip
 
-    def stable_step(self) -> float:
-        """A load sets no step."""
-        return np.inf
-
 
 @kernel
 def push(

@@ -73,10 +73,6 @@ class Pressure:
             self.energy["external work"],
         )  # fmt: skip
 
-    def stable_step(self) -> float:
-        """A load sets no step."""
-        return np.inf
-
 
 @kernel
 def press(

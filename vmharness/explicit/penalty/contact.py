@@ -49,10 +49,6 @@ class Contact:
             self.account[2:] = first.account[2:] - second.account[2:]
             np.concatenate([first.nodes["force"], second.nodes["force"]], out=self.forces)
 
-    def stable_step(self) -> float:
-        """A penalty sets no step."""
-        return np.inf
-
     def initial_penetrations(self, x: Array) -> list[tuple[int, Array]]:
         """Nodes that begin deeper than round-off: (row, the displacement (3,) that brings it to the surface)."""
         return [
