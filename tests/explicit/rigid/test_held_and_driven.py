@@ -100,10 +100,13 @@ def test_damping_stops_a_spin_exponentially(space, bodies, free):
             "another prescribed motion moves body 7",
         ),
         ("*BOUNDARY_PRESCRIBED_MOTION_RIGID\n7,6,0,1,,,0.5\n", "a driven rotation begins at 0 and lasts"),
-        ("*BOUNDARY_SPC_NODE\n3,0,1\n", r"PID = 7: supports rule its node 3; a rigid body is held by CMO"),
+        (
+            "*BOUNDARY_SPC_NODE\n3,0,1\n",
+            r"PID = 7: its node 3 is ruled by supports; a rigid body is held by CMO",
+        ),
         (
             "*BOUNDARY_PRESCRIBED_MOTION_NODE\n3,2,0,1\n",
-            r"prescribed motion 1 rule its node 3; .* moved by \*BOUNDARY_PRESCRIBED_MOTION_RIGID",
+            r"its node 3 is ruled by prescribed motion 1; .* moved by \*BOUNDARY_PRESCRIBED_MOTION_RIGID",
         ),
     ],
 )

@@ -192,6 +192,15 @@ def test_two_bodies_do_not_share_a_node_and_none_is_without_mass(space, block):
         space(block + "*CONSTRAINED_NODAL_RIGID_BODY\n8,0,4\n*SET_NODE_LIST\n4\n9\n*NODE\n9,0,0,9\n")
 
 
+def test_inertia_is_given_to_rigid_parts_only(space, block):
+    text = block.replace(
+        "*PART\nblock\n7,7,7\n",
+        "*PART_INERTIA\nblock\n7,7,8\n,,,1.0\n1.0,,,1.0,,1.0\n\n*MAT_ELASTIC\n8,1.0,1.0\n",
+    )
+    with pytest.raises(DeckError, match=r"MID = 8: \*PART_INERTIA is for parts of \*MAT_RIGID"):
+        space(text)
+
+
 def test_a_part_load_takes_the_whole_body_or_none(space, block):
     loads = "*LOAD_BODY_PARTS\n4\n*LOAD_BODY_Z\n1,9.81\n*SET_PART_LIST\n4\n{}\n"
     model = space(block + loads.format(7))

@@ -13,16 +13,15 @@ from vmharness.explicit.rigid.members import Member
 
 
 def check_free(model: Model, found: list[Member]) -> None:
-    """No support or prescribed motion may rule a single node of a body."""
+    """No support, prescribed motion or rigid wall may rule a single node of a body."""
     for constraint in model.constraints:
-        rows = constraint.nodes if isinstance(constraint, PrescribedMotion) else np.zeros(0, np.intp)
         ruled = np.asarray(constraint.fixed.any(axis=1))
-        ruled[rows] = True
+        ruled[getattr(constraint, "nodes", [])] = True  # those too that it rules for a time, or on one side
         for member in found:
             for row in member.nodes[ruled[member.nodes]]:
                 what = (
-                    f"{constraint.name} rule its node {model.ids[row]}; a rigid body is held by CMO of *MAT_RIGID, "
-                    "moved by *BOUNDARY_PRESCRIBED_MOTION_RIGID"
+                    f"its node {model.ids[row]} is ruled by {constraint.name}; "
+                    "a rigid body is held by CMO of *MAT_RIGID, moved by *BOUNDARY_PRESCRIBED_MOTION_RIGID"
                 )
                 raise member.entry.error("pid", what)
 

@@ -36,6 +36,7 @@ class Member:
 
 def members(deck: Deck, model: Model) -> list[Member]:
     """Every rigid body with its nodes, in the order of `numbers`; raises DeckError for a node of two bodies."""
+    _check_given(deck)
     _check_merges(deck)
     lead = leads(deck)
     nodes: dict[int, list[Index]] = {number: [] for number in numbers(deck)}
@@ -51,6 +52,14 @@ def members(deck: Deck, model: Model) -> list[Member]:
             found.append(Member(entry.pid, entry, rows, _gives(entry), held_by_cmo(deck, entry)))
     _check_apart(model, found)
     return found
+
+
+def _check_given(deck: Deck) -> None:
+    """Only a rigid part can have an inertia of its own."""
+    rigid = definitions(deck)
+    for part in deck.all(PART):
+        if has_inertia(part) and part not in rigid:
+            raise part.error("mid", "*PART_INERTIA is for parts of *MAT_RIGID")
 
 
 def _check_merges(deck: Deck) -> None:
