@@ -13,7 +13,7 @@ from vmharness.evidence.tolerance import review
 from vmharness.run import run
 
 CASES = Path(__file__).parents[1] / "cases"
-IDS = ["D-31", "D-32", "D-34"]
+IDS = ["D-26", "D-31", "D-32", "D-34"]
 
 
 @pytest.fixture(params=IDS)
@@ -47,6 +47,7 @@ def test_the_energy_of_the_pendulum_balances():
         ("D-31", {"T": 1.93333485, "omega": 5.424942, "pin": 2.5 * 0.785 * 9.81}),
         ("D-32", {"t_back": 2 * np.pi / 2.00997512, "kinetic": 1.02}),
         ("D-34", {"v_turn": -0.0654}),
+        ("D-26", {"v_roll": 3.571429, "t_99": 0.99 * 0.4854133 + 1e-3 / 9.81}),
     ],
 )
 def test_targets_are_those_derived_independently(id, exact):

@@ -13,7 +13,7 @@ from vmharness.evidence.tolerance import review
 from vmharness.run import run
 
 CASES = Path(__file__).parents[1] / "cases"
-IDS = ["VM-071", "VM-072", "VM-075", "VM-080", "VM-156", "VM-182"]
+IDS = ["D-15", "VM-071", "VM-072", "VM-075", "VM-080", "VM-156", "VM-182"]
 
 
 @pytest.fixture(params=IDS)

@@ -11,7 +11,8 @@ from vmharness.backends import builtin
 from vmharness.case import read
 from vmharness.compare import Verdict
 from vmharness.evidence.faults import planted
-from vmharness.explicit import loop, probe
+from vmharness.explicit import loop
+from vmharness.explicit.probes import node as node_probes
 from vmharness.history import History
 from vmharness.run import run
 
@@ -136,13 +137,13 @@ def full_step_start(monkeypatch):
 
 def half_step_velocity(monkeypatch):
     """v_{n-1/2} is reported as v_n."""
-    right = probe.node
+    right = node_probes.probe
 
-    def wrong(model, nid, component):
-        s, row = model.state, int(np.flatnonzero(model.ids == nid)[0])
-        return (lambda: s.v[row, 2]) if component == "z-velocity" else right(model, nid, component)
+    def wrong(model, node, component):
+        s, row = model.state, int(np.flatnonzero(model.ids == node)[0])
+        return (lambda: s.v[row, 2]) if component == "z-velocity" else right(model, node, component)
 
-    monkeypatch.setattr(probe, "node", wrong)
+    monkeypatch.setattr(node_probes, "probe", wrong)
 
 
 def late_stamp(monkeypatch):

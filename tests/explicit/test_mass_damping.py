@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError
-from vmharness.explicit import energy, probe
+from vmharness.explicit import energy
 from vmharness.explicit.loop import steps
+from vmharness.explicit.probes import probe
 
 BALL = "*NODE\n5,0.0,0.0,{z}\n*ELEMENT_MASS\n9,5,0.5\n*INITIAL_VELOCITY_NODE\n5,,,-0.01\n"
 SPRING = "*SET_NODE_LIST\n2\n5\n*CONTROL_CONTACT\n1.0\n\n*CONTACT_NODES_TO_SURFACE\n2,1,4,3\n\n\n"
@@ -22,7 +23,7 @@ def test_a_free_mass_slows_down_exponentially_with_order_two(wall_and):
     errors = []
     for density in (4e-2, 1e-2, 2.5e-3):
         model = decay(wall_and, density)
-        v = probe.node(model, 5, "z-velocity")
+        v = probe(model, node=5, component="z-velocity")
         errors.append(max(abs(v() + 0.01 * math.exp(-2.0 * s.t)) for s in steps(model)))
     np.testing.assert_allclose(np.log2(np.array(errors[:-1]) / errors[1:]), 2.0, atol=0.1)
     assert errors[-1] < 1e-3 * 0.01
@@ -30,7 +31,7 @@ def test_a_free_mass_slows_down_exponentially_with_order_two(wall_and):
 
 def test_what_kinetic_energy_loses_is_damping(wall_and):
     model = decay(wall_and, density=1e-2)
-    ratio, s = probe.energies(model, "ratio"), model.state
+    ratio, s = probe(model, energy="ratio"), model.state
     assert max(abs(ratio() - 1.0) for _ in steps(model)) < 2 * (2.0 * s.dt) ** 2
     taken = 0.25e-4 * (1 - math.exp(-4.0 * s.t))
     assert model.constraints[-1].energy["damping"][0] == pytest.approx(taken, rel=4 * s.dt**2)
@@ -108,7 +109,7 @@ def test_the_reaction_of_a_support_is_not_touched(wall_and):
     damped = "*LOAD_NODE_POINT\n1,3,1,5.0\n*DAMPING_GLOBAL\n0,100.0\n"
     model = wall_and(damped)
     for _ in steps(model):
-        assert probe.support(model, "z-force")() == -5.0
+        assert probe(model, support="all", component="z-force")() == -5.0
     assert energy.accounts(model.constraints, "damping")[0][0] == 0.0
 
 

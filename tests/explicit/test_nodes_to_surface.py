@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError
-from vmharness.explicit import energy, probe
+from vmharness.explicit import energy
 from vmharness.explicit.loop import steps
 from vmharness.explicit.penalty.contact import Contact
+from vmharness.explicit.probe import ProbeError
+from vmharness.explicit.probes import probe
 
 K_WALL = math.sqrt(2.0)  # K A / d of the wall, before SLSFAC
 
@@ -147,9 +149,9 @@ def test_contacts_go_by_their_number(wall_and):
     named = contact().replace("*CONTACT_NODES_TO_SURFACE\n", "*CONTACT_NODES_TO_SURFACE_ID\n77,ball\n")
     model = wall_and(ball() + named)
     assert contact_of(model).number == 77
-    probe.contact(model, 77, "z-force")
-    with pytest.raises(probe.ProbeError, match="no contact 1; there are: 77"):
-        probe.contact(model, 1, "z-force")
+    probe(model, contact=77, component="z-force")
+    with pytest.raises(ProbeError, match="no contact 1; there are: 77"):
+        probe(model, contact=1, component="z-force")
     twice = named + named[named.index("*CONTACT") :]
     with pytest.raises(DeckError, match=r"CID = 77: another contact has this number"):
         wall_and(ball() + twice)

@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError
-from vmharness.explicit import energy, probe
+from vmharness.explicit import energy
 from vmharness.explicit.loop import steps
+from vmharness.explicit.probe import ProbeError
+from vmharness.explicit.probes import probe
 
 BALLS = "*NODE\n5,0,0,1\n6,1,0,1\n*ELEMENT_MASS\n105,5,2.0\n106,6,4.0\n*SET_NODE_LIST\n3\n5,6\n"
 BENT = "*DEFINE_CURVE\n2\n0.0,0.0\n0.3,0.6\n0.5,-0.2\n2.0,0.7\n"  # bends between steps
@@ -21,14 +23,14 @@ def integral(t):
 
 def balance(model):
     """A probe of total energy less what was put in."""
-    total, work = probe.energies(model, "total"), probe.energies(model, "external work")
+    total, work = probe(model, energy="total"), probe(model, energy="external work")
     initial = energy.kinetic(model.state)
     return lambda: total() - initial - work()
 
 
 def test_velocity_and_position_are_exact_at_every_step(wall_and):
     model = wall_and(BALLS + BENT + SET.format(dof=3, vad=0))
-    v, closes = probe.node(model, 6, "z-velocity"), balance(model)
+    v, closes = probe(model, node=6, component="z-velocity"), balance(model)
     for s in steps(model):
         assert v() == pytest.approx(3.0 * np.interp(s.t, T, C), abs=1e-13)
         np.testing.assert_allclose(s.x[4:6, 2], 1.0 + 3.0 * integral(s.t), rtol=1e-12)
@@ -47,7 +49,7 @@ def test_displacement_is_exact_at_every_step(wall_and):
 
 def test_acceleration_is_exact_and_constant_one_gives_a_parabola(wall_and):
     model = wall_and(BALLS + BENT + SET.format(dof=3, vad=1) + "*INITIAL_VELOCITY\n3\n0.0,0.0,5.0\n")
-    force = probe.motion(model, 1, "z-force")
+    force = probe(model, motion=1, component="z-force")
     for s in steps(model):
         assert s.a[4:6, 2].tolist() == pytest.approx([3.0 * np.interp(s.t, T, C)] * 2, abs=1e-15)
         assert force() == pytest.approx(6.0 * s.a[4, 2], rel=1e-14)  # on both masses
@@ -60,15 +62,15 @@ def test_reaction_holds_against_a_load_and_takes_back_its_work(wall_and):
     # Under a load of 7, moved at constant speed: the reaction is -7, and the load's work goes into the motion.
     load = "*LOAD_NODE_POINT\n5,3,1,7.0\n"
     model = wall_and(BALLS + load + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n5,3,0,1,0.5\n")
-    force, closes = probe.motion(model, 1, "z-force"), balance(model)
+    force, closes = probe(model, motion=1, component="z-force"), balance(model)
     for _ in steps(model):
         assert force() == pytest.approx(-7.0, rel=1e-12)
         assert closes() == pytest.approx(0.0, abs=1e-13)
     assert model.constraints[0].energy["external work"][0] == pytest.approx(
         -7.0 * 0.5 * model.state.t, rel=1e-12
     )
-    with pytest.raises(probe.ProbeError, match="no prescribed motion 2; the deck has 1"):
-        probe.motion(model, 2, "z-force")
+    with pytest.raises(ProbeError, match="no prescribed motion 2; the deck has 1"):
+        probe(model, motion=2, component="z-force")
 
 
 def test_rotation_is_prescribed_like_translation(wall_and):
@@ -78,13 +80,13 @@ def test_rotation_is_prescribed_like_translation(wall_and):
     )
     for s in steps(model):
         assert s.omega[4, 2] == 2.0
-    assert probe.motion(model, 1, "z-moment")() == 0.0  # a point has no inertia
+    assert probe(model, motion=1, component="z-moment")() == 0.0  # a point has no inertia
 
 
 def test_birth_shifts_the_curve_and_death_lets_go(wall_and):
     motion = "*BOUNDARY_PRESCRIBED_MOTION_NODE\n5,3,0,2,1.0,0,0.7,0.5\n"
     model = wall_and(BALLS + BENT + motion + "*INITIAL_VELOCITY\n0\n0.0,0.0,-1.0\n")
-    v, closes = probe.node(model, 5, "z-velocity"), balance(model)
+    v, closes = probe(model, node=5, component="z-velocity"), balance(model)
     last = None
     for s in steps(model):
         if s.t < 0.5:
@@ -94,7 +96,7 @@ def test_birth_shifts_the_curve_and_death_lets_go(wall_and):
         else:
             last = v() if last is None else last
             assert v() == pytest.approx(last, rel=1e-12)
-            assert probe.motion(model, 1, "z-force")() == 0.0
+            assert probe(model, motion=1, component="z-force")() == 0.0
         assert closes() == pytest.approx(0.0, abs=1e-12)
     assert last == pytest.approx(0.4, abs=2.0 * s.dt)
 
@@ -108,7 +110,7 @@ def test_work_on_an_elastic_body_balances(wall_and, vad):
     )
     motion = f"*BOUNDARY_PRESCRIBED_MOTION_SET\n3,1,{vad},2\n*CONTROL_TIMESTEP\n0.0,0.1\n"
     model = wall_and(plate + smooth + motion, end=0.99)
-    closes, kinetic = balance(model), probe.energies(model, "kinetic")
+    closes, kinetic = balance(model), probe(model, energy="kinetic")
     off, size = np.array([(closes(), kinetic()) for _ in steps(model)]).T
     # Leapfrog's own m dt^2/8 a^2 of the free nodes, with omega dt = 0.14 of the shell.
     assert np.abs(off).max() < 0.14**2 / 8.0 * size.max()

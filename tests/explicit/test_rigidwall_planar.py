@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError
-from vmharness.explicit import energy, probe
+from vmharness.explicit import energy
 from vmharness.explicit.loop import steps
+from vmharness.explicit.probe import ProbeError
+from vmharness.explicit.probes import probe
 from vmharness.explicit.walls.planar.wall import PlanarWall
 
 PLAIN = "*RIGIDWALL_PLANAR\n0\n{0},{1}\n"
@@ -26,6 +28,26 @@ def wall(place=0.0, fric="", kind="", cards="", **first):
     return f"*RIGIDWALL_PLANAR{kind}\n{line}\n0.0,0.0,{place},0.0,0.0,{place + 1.0},{fric}\n{cards}"
 
 
+# A rigid body of two masses that falls beside the ball.
+BODY = """*CONSTRAINED_NODAL_RIGID_BODY
+20,,20
+*SET_NODE_LIST
+20
+21,22
+*NODE
+21,3.0,0.0,0.5
+22,3.0,0.0,0.8
+*ELEMENT_MASS
+21,21,1.0
+22,22,1.0
+*INITIAL_VELOCITY_RIGID_BODY
+20,0.0,0.0,-3.0
+*CONTROL_CONTACT
+,{rwpnal}
+
+"""
+
+
 def wall_of(model):
     """The first wall of a model."""
     return next(item for item in model.constraints if isinstance(item, PlanarWall))
@@ -33,7 +55,7 @@ def wall_of(model):
 
 def history(model, row=4):
     """t, x, v_n, wall force of every cycle as columns t, x, y, z, vx, ... fz, and the energy ratio."""
-    ratio, out = probe.energies(model, "ratio"), []
+    ratio, out = probe(model, energy="ratio"), []
     for s in steps(model):
         v = s.v[row] + 0.5 * s.dt * s.a[row]
         out.append((s.t, *s.x[row], *v, *wall_of(model).force, ratio()))
@@ -127,9 +149,9 @@ def test_a_moving_wall_shares_its_momentum(wall_and):
         assert m * s.v[4, 2] + mass * w.motion[1] == pytest.approx(momentum, rel=1e-13)
         assert s.x[4, 2] >= w.motion[0] - 1e-14
     assert s.v[4, 2] == pytest.approx(common, rel=1e-13)
-    assert probe.wall(model, 1, "z-velocity")() == pytest.approx(common, rel=1e-13)
+    assert probe(model, wall=1, component="z-velocity")() == pytest.approx(common, rel=1e-13)
     meets = 1.0 / (speed - v0)
-    assert probe.wall(model, 1, "normal-displacement")() == pytest.approx(
+    assert probe(model, wall=1, component="normal-displacement")() == pytest.approx(
         speed * meets + common * (s.t - meets), rel=5e-3
     )
     lost = 0.5 * m * mass / (m + mass) * (v0 - speed) ** 2
@@ -220,7 +242,7 @@ def test_an_oblique_wall_takes_the_normal_momentum_alone(wall_and):
     for s in steps(model):
         assert (s.x[4] @ n) > -1e-14
     np.testing.assert_allclose(s.v[4], np.array([0, 0, -3.0]) - (-3.0 * 0.8) * n, atol=1e-13)
-    assert probe.wall(model, 7, "normal-impulse")() == pytest.approx(2.0 * 3.0 * 0.8, rel=1e-13)
+    assert probe(model, wall=7, component="normal-impulse")() == pytest.approx(2.0 * 3.0 * 0.8, rel=1e-13)
 
 
 @pytest.mark.parametrize(
@@ -237,6 +259,8 @@ def test_an_oblique_wall_takes_the_normal_momentum_alone(wall_and):
         ("*RIGIDWALL_PLANAR\n0\n1.0,,,1.0\n", "XH = 1.0: the tail and the head of the normal are one point"),
         ("*SET_NODE_LIST\n2\n1,2\n" + wall(nsid=2), "NSID = 2: no node that could meet the wall is free"),
         ("*BOUNDARY_SPC_NODE\n5,0,1\n*RIGIDWALL_PLANAR\n0\n0,0,0,1.0,0,1.0\n", "XH = 1.0: node 5 is ruled along"),
+        (BODY.format(rwpnal=1.0) + wall(), "RWPNAL = 1.0: the penalty of rigid bodies at rigid walls is not supported"),
+        (BODY.format(rwpnal=-1.0) + wall(), "RWPNAL = -1.0: must be at least 0"),
         (wall() + wall(kind="_ID").replace("_ID\n", "_ID\n1,again\n"), "ID = 1: another rigid wall has this number"),
     ],
 )  # fmt: skip
@@ -263,18 +287,18 @@ def test_the_motion_of_a_wall_is_resolved_along_its_normal(wall_and):
         ("y-velocity", 0.0),
         ("z-velocity", 4.0),
     ):
-        assert probe.wall(model, 1, component)() == pytest.approx(value, rel=1e-15)
-    with pytest.raises(probe.ProbeError, match="no 'stress' of a rigid wall; there are: force, impulse"):
-        probe.wall(model, 1, "x-stress")
-    with pytest.raises(probe.ProbeError, match="no rigid wall 2; there are: 1"):
-        probe.wall(model, 2, "x-force")
+        assert probe(model, wall=1, component=component)() == pytest.approx(value, rel=1e-15)
+    with pytest.raises(ProbeError, match="no 'stress' of a rigid wall; there are: force, impulse"):
+        probe(model, wall=1, component="x-stress")
+    with pytest.raises(ProbeError, match="no rigid wall 2; there are: 1"):
+        probe(model, wall=2, component="x-force")
 
 
 def test_a_node_in_a_groove_of_two_walls_stays_there(wall_and):
     """Each wall drives the node a little behind the other, and neither loses it; together they carry it."""
     groove = "".join(f"*RIGIDWALL_PLANAR\n0\n0,0,0,{side},0,1.0\n" for side in (3**0.5, -(3**0.5)))
     model = wall_and(ball(x=0.01, z=0.4, v=(0.07, 0, -1.0)) + groove + "*LOAD_BODY_Z\n1,9.81\n", end=5.0)
-    show = [probe.wall(model, number, "z-impulse") for number in (1, 2)]
+    show = [probe(model, wall=number, component="z-impulse") for number in (1, 2)]
     deepest = min(s.x[4, 2] for s in steps(model))
     assert deepest > -0.01
     assert abs(model.state.x[4, 2]) < 1e-3
@@ -300,3 +324,13 @@ def test_momentum_of_many_impacts_is_conserved_to_round_off(wall_and):
     assert math.isclose(5.0 * (w.motion[1] - 1.0), -w.impulse[2], rel_tol=1e-12)
     np.testing.assert_allclose(s.mass @ s.v - before, w.impulse, rtol=1e-12, atol=1e-12)
     assert energy.kinetic(s) + w.energy["rigid wall"][0] == pytest.approx(total, rel=1e-12)
+
+
+def test_rigid_bodies_pass_through_a_wall_and_that_is_said(wall_and):
+    """RWPNAL = 0; neither their nodes nor their centres are stopped."""
+    model = wall_and(ball() + BODY.format(rwpnal=0.0) + wall(), end=0.5)
+    assert "RWPNAL = 0" in model.facts["Rigid walls and rigid bodies"]
+    z = probe(model, rigid=20, component="z-coordinate")
+    for s in steps(model):
+        assert z() == pytest.approx(0.65 - 3.0 * s.t, abs=1e-12)
+    assert abs(s.x[4, 2]) < 1e-14

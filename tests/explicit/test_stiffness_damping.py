@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError
-from vmharness.explicit import probe
 from vmharness.explicit.damping.stiffness.build import shortened
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model import build
+from vmharness.explicit.probes import probe
 
 HEAD = "*KEYWORD\n*CONTROL_TERMINATION\n{end}\n*CONTROL_TIMESTEP\n0.0,{tssfac}\n*PART\np\n1,1,1\n"
 ELASTIC = "*MAT_ELASTIC\n1,1.0,100.0,0.0\n"  # E = 100, rho = 1: c = 10
@@ -75,7 +75,7 @@ def vibrating(deck, mesh, axis, coef=None, tssfac=0.02, end=40.0, speed=1e-3):
 
 def history(model, axis):
     """t and displacement of the last node of the row, and the total energy."""
-    tip, total = np.argmax(model.x0[:, 0]), probe.energies(model, "total")
+    tip, total = np.argmax(model.x0[:, 0]), probe(model, energy="total")
     x0 = model.x0[tip, axis]
     return np.array([(s.t, s.x[tip, axis] - x0, total()) for s in steps(model)]).T
 
@@ -166,7 +166,7 @@ def test_a_bar_that_spins_under_tension_is_not_damped(deck):
     text = HEAD.format(end=30.0, tssfac=0.1) + ELASTIC + mesh + damping(-0.1)
     model = build(deck(text))
     model.state.v[:, 1] = -0.5 * w * stretched, 0.5 * w * stretched
-    kinetic = probe.energies(model, "kinetic")
+    kinetic = probe(model, energy="kinetic")
     energy = np.array([kinetic() for _ in steps(model)])
     late = energy[energy.size // 2 :]
     assert np.ptp(late) < 1e-6 * energy[0]

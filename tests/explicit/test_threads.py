@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 
-from vmharness.explicit import energy, probe
+from vmharness.explicit import energy
 from vmharness.explicit.force import Elements
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model import build
+from vmharness.explicit.probes import probe
 from vmharness.explicit.threads import FEWEST, Crew, divided
 
 SIDE = 50  # cells of a sheet of quadrilaterals, of which one row is cut in triangles
@@ -77,7 +78,7 @@ def test_a_large_part_is_shared_and_its_elements_are_still_found(deck):
     assert len(blocks) == 3, "two shares of the quadrilaterals, one of the triangles: they are few"
     every = np.concatenate([block.eid for block in blocks])
     assert sorted(every) == list(range(1, SIDE * SIDE + SIDE + 1))
-    last = probe.element(model, "shell", int(every.max()), "xx-stress")
+    last = probe(model, shell=int(every.max()), component="xx-stress")
     for state in steps(model):
         if state.cycle == 3:
             break

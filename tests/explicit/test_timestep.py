@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError
-from vmharness.explicit import probe
 from vmharness.explicit.loop import steps
+from vmharness.explicit.probes import probe
 
 # Free squares of sides 1 and 0.5 beside the wall of side 2: L/c = L/sqrt(3/rho).
 SMALL = """*NODE
@@ -171,7 +171,7 @@ def test_mass_added_during_the_run_keeps_momentum_and_its_energy_is_accounted_fo
     aim = 0.0099
     model = wall_and(BARS + flight + rest + timestep(dt2ms=-aim, tssfac=0.02), end=0.02)
     s, rows = model.state, np.searchsorted(model.ids, [21, 22, 23, 24])
-    total, momentum, mass, step = probe.energies(model, "total"), [], [], []
+    total, momentum, mass, step = probe(model, energy="total"), [], [], []
     energy = []
     for _ in steps(model):
         v = s.v[rows, 0] + 0.5 * s.dt * s.a[rows, 0]
@@ -192,7 +192,7 @@ def test_a_prescribed_motion_drags_the_new_mass_along(wall_and):
     drive = "*BOUNDARY_PRESCRIBED_MOTION_NODE\n22,1,0,1,-2.0\n"
     rest = "*BOUNDARY_SPC_NODE\n21,0,1,1,1,1,1,1\n23,0,1,1,1,1,1,1\n24,0,1,1,1,1,1,1\n25,0,1,1,1,1,1,1\n"
     model = wall_and(BARS + drive + rest + timestep(dt2ms=-0.0099), end=0.2)
-    total, work = probe.energies(model, "total"), probe.energies(model, "external work")
+    total, work = probe(model, energy="total"), probe(model, energy="external work")
     energy = np.array([(total(), work()) for _ in steps(model)])
     row = int(np.searchsorted(model.ids, 22))
     assert model.state.v[row, 0] == pytest.approx(-2.0, rel=1e-12)

@@ -5,17 +5,18 @@ from array import array
 from collections.abc import Callable, Mapping
 
 import numpy as np
+from msgspec.structs import asdict
 from numpy.typing import NDArray
 
 from vmharness import __version__
 from vmharness.case import Case, CaseError
 from vmharness.case.format import Channel
 from vmharness.deck import Deck, DeckError, read, vocabulary, write_long
-from vmharness.explicit import probe
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model import PARTS, Model, build
 from vmharness.explicit.probe import Probe, ProbeError
+from vmharness.explicit.probes import probe
 from vmharness.history import History
 from vmharness.result import Solution
 from vmharness.view import view_of
@@ -99,27 +100,9 @@ def record(
 
 def probe_of(model: Model, channel: Channel) -> Probe:
     """What shows a channel of a case; raises ProbeError where the model has no such thing."""
-    component = channel.component or ""
-    if channel.energy is not None:
-        return probe.energies(model, channel.energy, channel.part)
-    if channel.contact is not None:
-        return probe.contact(model, channel.contact, component, channel.node)
-    if channel.node is not None:
-        return probe.node(model, channel.node, component)
-    if channel.wall is not None:
-        return probe.wall(model, channel.wall, component)
-    if channel.centre is not None:
-        return probe.centre(model, None if channel.centre == "all" else channel.centre, component)
-    if channel.support is not None:
-        return probe.support(model, component, None if channel.support == "all" else channel.support)
-    if channel.motion is not None:
-        return probe.motion(model, channel.motion, component)
-    if channel.rigid is not None:
-        return probe.rigid(model, channel.rigid, component)
-    if channel.joint is not None:
-        return probe.joint(model, channel.joint, component)
-    kind = next(kind for kind in ("shell", "solid", "beam", "discrete") if getattr(channel, kind) is not None)
-    return probe.element(model, kind, getattr(channel, kind), component, channel.point)
+    fields = {name: value for name, value in asdict(channel).items() if value is not None}
+    del fields["text"]
+    return probe(model, **fields)
 
 
 def _facts(model: Model, history: History) -> dict[str, str]:

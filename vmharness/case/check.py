@@ -7,7 +7,7 @@ from pathlib import Path
 from vmharness.case.change import CHANGE, HOW
 from vmharness.case.decode import FILE
 from vmharness.case.error import CaseError
-from vmharness.case.format import EVENTS, OWNERS, CaseFile, Event, as_line
+from vmharness.case.format import ELEMENTS, EVENTS, OWNERS, CaseFile, Event, as_line
 from vmharness.case.near import near
 from vmharness.case.template import SUFFIX
 from vmharness.formula import Dimension, Formula, FormulaError, Unit, UnitError, UnitSystem
@@ -103,6 +103,8 @@ class Checks:
                 raise self.wrong(place, f"needs just one of {', '.join(OWNERS)}")
             if channel.part is not None and of != ["energy"]:
                 raise self.wrong(place, "part goes with energy only")
+            if channel.point is not None and of[0] not in ELEMENTS:
+                raise self.wrong(place, "point goes with an element only")
             if (channel.component is None) != (of == ["energy"]):
                 raise self.wrong(place, "needs a component, such as z-displacement, unless it is an energy")
 

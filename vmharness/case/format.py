@@ -57,7 +57,9 @@ class Channel(Table, frozen=True):
     solid: Annotated[int | None, Meta(description="Number of a solid element")] = None
     beam: Annotated[int | None, Meta(description="Number of a beam or truss element")] = None
     discrete: Annotated[int | None, Meta(description="Number of a spring or damper")] = None
-    point: Annotated[Count, Meta(description="Integration point of the element, from 1")] = 1
+    point: Annotated[
+        Count | None, Meta(description="Integration point of the element, from 1; 1 if not given")
+    ] = None
     part: Annotated[int | None, Meta(description="Part whose energy it is, else the whole model's")] = None
     contact: Annotated[
         int | None,
@@ -249,12 +251,10 @@ class CaseFile(Table, frozen=True):
 
 
 EVENTS = ("at", "onset_of", "end_of", "crossing_of", "minimum_of", "maximum_of")
+ELEMENTS = ("shell", "solid", "beam", "discrete")
 OWNERS = (
     "node",
-    "shell",
-    "solid",
-    "beam",
-    "discrete",
+    *ELEMENTS,
     "contact",
     "wall",
     "centre",

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError
-from vmharness.explicit import probe
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model import build
 from vmharness.explicit.penalty.contact import Contact
+from vmharness.explicit.probe import ProbeError
+from vmharness.explicit.probes import probe
 from vmharness.view import view_of
 
 # The wall of the fixture is 0.1 thick, and K A/d = sqrt(2); node 5 is a ball of mass 0.5.
@@ -106,8 +107,8 @@ def test_bricks_meet_at_their_faces_and_keep_their_momentum(deck, keyword, cards
     model = build(bricks(deck, keyword, cards))
     s, contact = model.state, contact_of(model)
     before, met = s.mass @ s.v, None
-    show = {name: probe.contact(model, 1, name) for name in ("z-force", "energy", "area", "nodes")}
-    on_node = probe.contact(model, 1, "z-force", 11)
+    show = {name: probe(model, contact=1, component=name) for name in ("z-force", "energy", "area", "nodes")}
+    on_node = probe(model, contact=1, component="z-force", node=11)
     most = dict.fromkeys(show, 0.0)
     for state in steps(model):
         if contact.force.any() or show["nodes"]() > 0:
@@ -146,22 +147,22 @@ def test_nodes_that_begin_inside_are_kept_without_force_by_ignore(deck):
 def test_channels_of_a_contact_that_are_not_there_are_refused(deck):
     model = build(bricks(deck, "NODES_TO_SURFACE", "2,1,3,3"))
     with pytest.raises(
-        probe.ProbeError, match=r"no 'pressure' of a contact; there are: x-force, .*friction energy"
+        ProbeError, match=r"no 'pressure' of a contact; there are: x-force, .*friction energy"
     ):
-        probe.contact(model, 1, "pressure")
-    with pytest.raises(probe.ProbeError, match="no node 1 among the tracked nodes of contact 1"):
-        probe.contact(model, 1, "z-force", 1)
-    with pytest.raises(probe.ProbeError, match="no 'area' on a node in contact"):
-        probe.contact(model, 1, "area", 11)
+        probe(model, contact=1, component="pressure")
+    with pytest.raises(ProbeError, match="no node 1 among the tracked nodes of contact 1"):
+        probe(model, contact=1, component="z-force", node=1)
+    with pytest.raises(ProbeError, match="no 'area' on a node in contact"):
+        probe(model, contact=1, component="area", node=11)
 
 
 def test_the_reaction_at_one_support(wall_and):
     model = wall_and("*BOUNDARY_SPC_NODE\n1,,1,1,1,1,1,1\n*LOAD_NODE_POINT\n1,3,1,2.5\n")
-    reaction = probe.support(model, "z-force", 1)
+    reaction = probe(model, support=1, component="z-force")
     *_, _ = steps(model)
     assert reaction() == pytest.approx(-2.5)
-    with pytest.raises(probe.ProbeError, match="no support at node 99"):
-        probe.support(model, "z-force", 99)
+    with pytest.raises(ProbeError, match="no support at node 99"):
+        probe(model, support=99, component="z-force")
 
 
 def test_a_contact_of_solids_is_drawn_by_its_segments(deck):

@@ -6,11 +6,13 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError
-from vmharness.explicit import energy, probe
+from vmharness.explicit import energy
 from vmharness.explicit.elements.discrete.limit import stable_step
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model import build
+from vmharness.explicit.probe import ProbeError
+from vmharness.explicit.probes import probe
 
 HEAD = (
     "*KEYWORD\n*CONTROL_TERMINATION\n{end}\n*CONTROL_TIMESTEP\n0.0,{tssfac}\n*SECTION_DISCRETE\n1\n\n2,1\n\n"
@@ -121,7 +123,7 @@ LENGTHS = "*INITIAL_VELOCITY_NODE\n1,0,-0.7,0.2\n2,0,1.4,-0.4\n"
 def test_free_pair_keeps_both_momenta_and_its_length_is_the_exact_one(model):
     m = model(PAIR + SPRING.format(k=50.0) + "*ELEMENT_DISCRETE\n8,1,1,2\n" + LENGTHS, end=10.0, tssfac=0.5)
     mass = m.state.mass[:, None]
-    elongation, axial = (probe.element(m, "discrete", 8, name) for name in ("elongation", "force"))
+    elongation, axial = (probe(m, discrete=8, component=name) for name in ("elongation", "force"))
     start = mass * m.state.v
     spin = np.cross(m.state.x, start).sum(axis=0)
     turned = []
@@ -172,7 +174,7 @@ def test_energy_of_spring_and_damper_balances(model):
     """Kinetic + stored + dissipated = stored at the start, to m dt^2/8 (a_n^2 - a_0^2), damped or not."""
     for zeta in (0.0, 0.3):
         m = oscillator(model, zeta, tssfac=0.1)
-        ratio, total = probe.energies(m, "ratio"), probe.energies(m, "total")
+        ratio, total = probe(m, energy="ratio"), probe(m, energy="total")
         assert total() == pytest.approx(0.5 * 200.0 * 0.1**2, rel=1e-12)
         history = np.array([(s.a[1, 0], total(), ratio()) for s in steps(m)])
         a, dt = history[:, 0], m.state.dt
@@ -216,7 +218,7 @@ def oriented(model, card, vid=4):
     """Path of node 2 and elongation of a spring in space that begins in flight."""
     deck = SPATIAL + (f"*DEFINE_SD_ORIENTATION\n{vid},{card}\n" if card else "")
     m = model(deck + f"*ELEMENT_DISCRETE\n1,1,1,2,{vid if card else 0},0.0,0,0.2\n", end=2.0, tssfac=0.05)
-    elongation, total = probe.element(m, "discrete", 1, "elongation"), probe.energies(m, "total")
+    elongation, total = probe(m, discrete=1, component="elongation"), probe(m, energy="total")
     rows = [(*s.x[1], *s.f[1], elongation(), total()) for s in steps(m)]
     return np.array(rows)
 
@@ -265,7 +267,7 @@ def clearance(model, v, fields):
         MASS + SPRING.format(k=200.0).replace("1,1,1", "1,3,1") + f"*SECTION_DISCRETE\n3,0,0,0,{fields}\n\n"
     )
     m = model(deck + f"*ELEMENT_DISCRETE\n1,1,1,2\n*INITIAL_VELOCITY_NODE\n2,{v}\n", end=0.4, tssfac=0.01)
-    force, total = probe.element(m, "discrete", 1, "force"), probe.energies(m, "total")
+    force, total = probe(m, discrete=1, component="force"), probe(m, energy="total")
     return np.array([(s.t, s.x[1, 0], force(), total()) for s in steps(m)]).T
 
 
@@ -337,7 +339,7 @@ def test_torsion_spring_turns_a_node_about_its_axis(model, vid, axis):
     m = model(TORSION.format(vid=vid, offset=0.2), end=0.05, tssfac=0.02)
     inertia = m.state.inertia[1]
     omega = math.sqrt(5.0 / inertia)
-    rotation, moment = (probe.element(m, "discrete", 1, name) for name in ("rotation", "moment"))
+    rotation, moment = (probe(m, discrete=1, component=name) for name in ("rotation", "moment"))
     t, theta, M = np.array([(s.t, rotation(), moment()) for s in steps(m)]).T
     assert t[1] == pytest.approx(0.02 * 2.0 / (math.sqrt(2.0) * omega), rel=1e-9)  # both ends have inertia
     assert omega * t[-1] > 1.0
@@ -388,6 +390,6 @@ def test_clearance_is_for_elastic_springs(deck):
 def test_channels_say_what_there_is(model):
     m = oscillator(model)
     with pytest.raises(
-        probe.ProbeError, match="no 'moment' of this discrete element; there are: force, elongation"
+        ProbeError, match="no 'moment' of this discrete element; there are: force, elongation"
     ):
-        probe.element(m, "discrete", 1, "moment")
+        probe(m, discrete=1, component="moment")

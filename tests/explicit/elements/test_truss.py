@@ -6,11 +6,11 @@ from scipy.linalg import eigh
 from scipy.special import ellipk
 
 from vmharness.deck import DeckError
-from vmharness.explicit import probe
 from vmharness.explicit.elements.truss import Truss
 from vmharness.explicit.loop import steps
 from vmharness.explicit.materials.elastic import uniaxial
 from vmharness.explicit.model import build
+from vmharness.explicit.probes import probe
 from vmharness.explicit.state import State
 
 E, RHO, AREA = 2.0e11, 8000.0, 1e-4
@@ -206,7 +206,7 @@ def test_order_in_time_is_two(deck):
         text += "*NODE\n1,0.0,0.0,0.0,7\n2,1.0,0.0,0.0,5\n*ELEMENT_BEAM\n1,1,1,2\n"
         text += "*INITIAL_VELOCITY_NODE\n2,1e-8\n"
         model = build(deck(text))  # k = 1, m = 1
-        u = probe.node(model, 2, "x-displacement")
+        u = probe(model, node=2, component="x-displacement")
         return np.abs([u() - 1e-8 * np.sin(s.t) for s in steps(model)]).max()
 
     assert np.log2(error(0.1) / error(0.05)) == pytest.approx(2.0, abs=0.05)
@@ -222,8 +222,8 @@ def test_pendulum_on_a_stiff_bar(deck):
     text += "*DEFINE_CURVE\n1\n0.0,1.0\n10.0,1.0\n*LOAD_BODY_Z\n1,9.81\n"
     model = build(deck(text))
     x, z, t = [], [], []
-    force, tension = probe.element(model, "beam", 1, "axial-force"), []
-    ratio = probe.energies(model, "ratio")
+    force, tension = probe(model, beam=1, component="axial-force"), []
+    ratio = probe(model, energy="ratio")
     for s in steps(model):
         x.append(s.x[1, 0]), z.append(s.x[1, 2]), t.append(s.t), tension.append(force())
         if s.t > 0.01 * period:

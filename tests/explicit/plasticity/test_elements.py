@@ -10,7 +10,7 @@ from vmharness.explicit.loop import steps
 from vmharness.explicit.materials import plastic_kinematic
 from vmharness.explicit.model import build
 from vmharness.explicit.plasticity.piecewise_linear import line
-from vmharness.explicit.probe import element, energies
+from vmharness.explicit.probes import probe
 from vmharness.explicit.state import State
 
 E, NU, SIGY, ET = 210.0, 0.3, 0.3, 2.1  # GPa, as in mm, ms, kg
@@ -52,10 +52,10 @@ def test_bar_wave(deck):
     end = 0.9 * length / c
     model = build(deck(bar(400, length, False, end=end, beta=1.0, vad=0, points=f"0.0,{V}\n{2 * end},{V}")))
     probes = [
-        (element(model, "beam", i, "axial-stress"), element(model, "beam", i, "plastic-strain"))
+        (probe(model, beam=i, component="axial-stress"), probe(model, beam=i, component="plastic-strain"))
         for i in range(1, 401)
     ]
-    ratio = energies(model, "ratio")
+    ratio = probe(model, energy="ratio")
     for state in steps(model):
         last = state
     stress, p = np.array([[one() for one in pair] for pair in probes]).T
@@ -79,7 +79,7 @@ def test_cycle_of_a_driven_truss(deck, beta):
     stretch = 1000.0 * (np.exp([0, 0.01, -0.01]) - 1)
     points = "\n".join(f"{t},{-u:.12f}" for t, u in zip((0.0, 10.0, 40.0), stretch, strict=True))
     model = build(deck(bar(1, 1000.0, True, end=30.0, beta=beta, vad=2, points=points)))
-    read = element(model, "beam", 1, "axial-stress")
+    read = probe(model, beam=1, component="axial-stress")
     rows = np.array([(np.log(1 - s.x[0, 0] / 1000.0), read()) for s in steps(model)])
     strain, stress = rows.T
     Ep, top = E * ET / (E - ET), strain.max()

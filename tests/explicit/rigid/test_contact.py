@@ -3,8 +3,10 @@
 import numpy as np
 import pytest
 
-from vmharness.explicit import energy, probe
+from vmharness.explicit import energy
 from vmharness.explicit.loop import steps
+from vmharness.explicit.model import build
+from vmharness.explicit.probes import probe
 
 PLATE = """*PART
 plate
@@ -42,9 +44,9 @@ plate
 def test_a_plate_bounces_with_the_energy_that_it_had(wall_and, low, high):
     model = wall_and(PLATE.format(low=low, high=high), end=4.0, density=1e-6)
     (stored,) = energy.accounts(model.forces, "contact")
-    v, spin = (probe.rigid(model, 5, what) for what in ("z-velocity", "y-angular-velocity"))
+    v, spin = (probe(model, rigid=5, component=what) for what in ("z-velocity", "y-angular-velocity"))
     mass = 0.1 * np.hypot(1.0, high - low)
-    force, impulse, before, fastest = probe.contact(model, 1, "z-force"), 0.0, 0.0, 0.0
+    force, impulse, before, fastest = probe(model, contact=1, component="z-force"), 0.0, 0.0, 0.0
     for s in steps(model):
         assert model.kinetic() + stored[0] == pytest.approx(0.5 * mass * 0.1**2, rel=1e-4)
         impulse += 0.5 * (before + force()) * s.dt
@@ -55,3 +57,102 @@ def test_a_plate_bounces_with_the_energy_that_it_had(wall_and, low, high):
     assert v() == pytest.approx(0.1, rel=1e-3)
     assert fastest == pytest.approx(0.0 if low == high else 0.2, rel=0.02, abs=1e-9)
     assert np.ptp(model.state.lumped[4:8]) == pytest.approx(0.0, abs=1e-15)
+
+
+FLOOR = """*KEYWORD
+*CONTROL_TERMINATION
+20.0
+*CONTROL_CONTACT
+0.1
+
+*PART
+floor
+1,1,1
+block
+7,7,7
+*SECTION_SHELL
+1,2,0.8333,2
+0.3
+*MAT_ELASTIC
+1,0.3,1e4,0.3
+*SECTION_SOLID
+7,1
+*MAT_RIGID
+7,1.0,1000.0,0.3
+
+
+*DEFINE_CURVE
+1
+0.0,1.0
+1000.0,1.0
+*LOAD_BODY_Z
+1,10.0
+*ELEMENT_SOLID
+7,7,101,102,103,104,105,106,107,108
+*SET_NODE_LIST
+2
+101,102,103,104
+*CONTACT_NODES_TO_SURFACE
+2,1,4,3
+,,,,20.0
+
+{soft}
+"""
+
+
+def on_a_floor(soft=""):
+    """A rigid cube of side 1.2 and mass 1.728 above a square floor of 3 by 3 elastic shells, clamped at its edge."""
+    text = FLOOR.format(soft=soft)
+    for i in range(4):
+        for j in range(4):
+            tc = 7 if i in (0, 3) or j in (0, 3) else 0
+            text += f"*NODE\n{1 + i + 4 * j},{i - 1.5},{j - 1.5},0.0,{tc},{tc}\n"
+    for i in range(3):
+        for j in range(3):
+            a = 1 + i + 4 * j
+            text += f"*ELEMENT_SHELL\n{a},1,{a},{a + 1},{a + 5},{a + 4}\n"
+    for k, (x, y, z) in enumerate(
+        (x, y, z) for z in (0, 1.2) for x, y in ((-0.6, -0.6), (0.6, -0.6), (0.6, 0.6), (-0.6, 0.6))
+    ):
+        text += f"*NODE\n{101 + k},{x},{y},{z + 0.01}\n"
+    return text
+
+
+@pytest.mark.parametrize("soft", ["", "1"])
+def test_a_block_with_contact_damping_comes_to_rest_on_an_elastic_floor(deck, soft):
+    model = build(deck(on_a_floor(soft)))
+    ratio, kinetic = (probe(model, energy=name) for name in ("ratio", "kinetic"))
+    force = probe(model, contact=1, component="z-force")
+    ratios, fastest = [], 0.0
+    for _ in steps(model):
+        ratios.append(ratio())
+        fastest = max(fastest, kinetic())
+    assert np.abs(np.array(ratios[100:]) - 1.0).max() < 1e-3
+    assert kinetic() < 1e-10 * fastest
+    assert force() == pytest.approx(1.728 * 10.0, rel=1e-9)
+
+
+def test_damping_is_that_of_the_mass_at_the_nodes(wall_and):
+    """A quarter of the plate on each of four springs k, beside a quarter of the shell: the rebound at zero force."""
+    vdc, k, m, floor = 20.0, 2.0**0.5, 0.1 / 4, 0.1
+    c = 0.02 * vdc * m * np.sqrt(k * (1 / m + 1 / floor))
+    w, z = np.sqrt(k / m), c / (2.0 * np.sqrt(k * m))
+    s = np.sqrt(1.0 - z**2)
+    phase = np.pi - np.arctan2(2.0 * z * s, 1.0 - 2.0 * z**2)
+    rebound = -0.1 * np.exp(-z / s * phase) * (np.cos(phase) - z / s * np.sin(phase))
+
+    text = PLATE.format(low=0.01, high=0.01).replace("4,3\n\n", f"4,3\n,,,,{vdc}\n")
+    text += "*CONTROL_TIMESTEP\n0.0,0.9,,,,2\n*DEFINE_CURVE\n2\n0.0,1e-3\n9.0,1e-3\n"
+    model = wall_and(text, end=1.0, density=1.0)
+    v, ratio = probe(model, rigid=5, component="z-velocity"), probe(model, energy="ratio")
+    for _ in steps(model):
+        pass
+    assert 2.0 * np.pi / w < 1.0
+    assert v() == pytest.approx(rebound, rel=2e-3)
+    assert ratio() == pytest.approx(1.0, abs=1e-4)
+
+
+def test_a_body_of_given_mass_has_it_on_its_nodes_in_the_ratio_of_their_own(deck):
+    inertia = "*PART_INERTIA\nblock\n7,7,7\n0.0,0.0,0.61,8.0\n1.0,,,1.0,,1.0\n\n"
+    model = build(deck(on_a_floor().replace("block\n7,7,7\n", "", 1) + inertia))
+    np.testing.assert_allclose(model.state.lumped[model.ids > 100], 1.0, rtol=1e-14)

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError
-from vmharness.explicit import energy, probe
+from vmharness.explicit import energy
 from vmharness.explicit.loop import steps
+from vmharness.explicit.probes import probe
 
 RAMP = "*DEFINE_CURVE\n2\n0.0,0.0\n10.0,10.0\n"
 
@@ -33,8 +34,8 @@ def test_a_body_held_to_turn_about_z_has_moments_that_keep_its_tilted_axis(space
     tilted = """*SECTION_SOLID\n3,1\n*MAT_RIGID\n3,1.0,100.0,0.3\n1,7,4\n\n*PART_INERTIA\nbody\n3,3,3
 0.0,0.0,0.0,2.0\n2.0,0.0,0.3,3.0,0.4,4.0\n0.0,0.0,0.0,5.0,5.0,2.0\n*NODE\n1,0,0,0,7\n"""
     model = space(tilted, end=math.pi, step=1e-3)
-    moment = [probe.rigid(model, 3, f"{axis}-moment") for axis in "xyz"]
-    angle, spin = (probe.rigid(model, 3, f"z-{what}") for what in ("rotation", "angular-velocity"))
+    moment = [probe(model, rigid=3, component=f"{axis}-moment") for axis in "xyz"]
+    angle, spin = (probe(model, rigid=3, component=f"z-{what}") for what in ("rotation", "angular-velocity"))
     for s in steps(model):
         t = angle()
         xz, yz = 0.3 * math.cos(t) - 0.4 * math.sin(t), 0.3 * math.sin(t) + 0.4 * math.cos(t)
@@ -48,8 +49,8 @@ def test_a_body_held_to_turn_about_z_has_moments_that_keep_its_tilted_axis(space
 def test_a_driven_rotation_follows_its_curve_and_its_work_is_kinetic_energy(space, bodies, held_block, vad):
     text = held_block(7, 5) + RAMP + f"*BOUNDARY_PRESCRIBED_MOTION_RIGID\n7,5,{vad},2,0.5\n"
     model = space(text, end=2.0)
-    angle, spin = (probe.rigid(model, 7, f"x-{what}") for what in ("rotation", "angular-velocity"))
-    moment = probe.motion(model, 1, "x-moment")
+    angle, spin = (probe(model, rigid=7, component=f"x-{what}") for what in ("rotation", "angular-velocity"))
+    moment = probe(model, motion=1, component="x-moment")
     exact = {0: lambda t: 0.25 * t**2, 1: lambda t: 0.5 * t**3 / 6, 2: lambda t: 0.5 * t}[vad]
     torque = {0: lambda t: 0.5, 1: lambda t: 0.5 * t, 2: lambda t: 0.0}[vad]
     (work,) = [
@@ -69,8 +70,11 @@ def test_a_driven_rotation_follows_its_curve_and_its_work_is_kinetic_energy(spac
 @pytest.mark.parametrize("vad", [0, 1, 2])
 def test_a_driven_centre_follows_its_curve_and_the_nodes_go_with_it(space, block, vad):
     model = space(block + RAMP + f"*BOUNDARY_PRESCRIBED_MOTION_RIGID\n7,1,{vad},2,0.5\n", end=2.0)
-    x, node = probe.rigid(model, 7, "x-displacement"), probe.node(model, 3, "x-displacement")
-    force = probe.motion(model, 1, "x-force")
+    x, node = (
+        probe(model, rigid=7, component="x-displacement"),
+        probe(model, node=3, component="x-displacement"),
+    )
+    force = probe(model, motion=1, component="x-force")
     exact = {0: lambda t: 0.25 * t**2, 1: lambda t: 0.5 * t**3 / 6, 2: lambda t: 0.5 * t}[vad]
     for s in steps(model):
         assert x() == pytest.approx(exact(s.t), abs=1e-12 if vad != 1 else 1e-4)

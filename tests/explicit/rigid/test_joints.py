@@ -7,8 +7,9 @@ import pytest
 from scipy.special import ellipk
 
 from vmharness.deck import DeckError
-from vmharness.explicit import energy, probe
+from vmharness.explicit import energy
 from vmharness.explicit.loop import steps
+from vmharness.explicit.probes import probe
 
 # Body 3 swings about the origin, in the x-z plane; body 4 is the ground.
 GROUND = """*SECTION_SOLID
@@ -64,8 +65,8 @@ def worst(model, quantity):
 @pytest.mark.parametrize("joint", [SPHERICAL, REVOLUTE])
 def test_a_rod_released_from_the_horizontal_has_its_period_speed_and_pin_force(space, bodies, joint):
     model = space(rod() + GROUND + joint + GRAVITY, end=1.0, step=1e-3)
-    x, force = probe.rigid(model, 3, "x-coordinate"), probe.joint(model, 1, "z-force")
-    spin = probe.rigid(model, 3, "y-angular-velocity")
+    x, force = probe(model, rigid=3, component="x-coordinate"), probe(model, joint=1, component="z-force")
+    spin = probe(model, rigid=3, component="y-angular-velocity")
     history = np.array([(s.t, x(), force(), spin()) for s in steps(model)]).T
     t, x, force, spin = history
     quarter = math.sqrt(2 / (3 * 9.81)) * ellipk(0.5)

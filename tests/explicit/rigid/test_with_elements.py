@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError
-from vmharness.explicit import probe
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model import build
+from vmharness.explicit.probes import probe
 
 CORNERS = """*NODE
 {first},0.0,0.0,0.0
@@ -82,7 +82,7 @@ def test_cards_that_give_velocities_rule_in_their_order(space, block, free):
 def test_bodies_fall_as_masses_do_wherever_their_mass_comes_from(space, bodies, block, free, which):
     text, number = (block, 7) if which == "block" else (free(wy=3.0), 3)
     model = space(text + "*LOAD_BODY_Z\n1,9.81\n", end=1.0)
-    z, v = (probe.rigid(model, number, f"z-{what}") for what in ("displacement", "velocity"))
+    z, v = (probe(model, rigid=number, component=f"z-{what}") for what in ("displacement", "velocity"))
     L = bodies(model).L.copy()
     for s in steps(model):
         assert z() == pytest.approx(-9.81 * s.t**2 / 2, abs=1e-12)
@@ -269,9 +269,13 @@ def test_a_cantilever_on_a_rigid_block_is_clamped(deck):
     found = []
     for root in ("supports", "block"):
         model = build(deck(strip(root)))
-        tip = probe.node(model, 7, "z-displacement")
+        tip = probe(model, node=7, component="z-displacement")
         found.append([(s.t, tip()) for s in steps(model)])
-        force = probe.support(model, "z-force") if root == "supports" else probe.rigid(model, 2, "z-force")
+        force = (
+            probe(model, support="all", component="z-force")
+            if root == "supports"
+            else probe(model, rigid=2, component="z-force")
+        )
         found[-1].append((force(), 0.0))
     np.testing.assert_allclose(found[1], found[0], rtol=1e-9, atol=1e-15)
     assert max(abs(z) for _, z in found[0]) > 1e-4

@@ -52,19 +52,20 @@ def command(path: Path, csv: Path | None) -> int:
 
 
 def _probes(deck: "Deck", model: "Model") -> "dict[str, Probe]":
-    from vmharness.explicit import energy, probe
+    from vmharness.explicit import energy
     from vmharness.explicit.constraint import Constraint
     from vmharness.explicit.force import Force
+    from vmharness.explicit.probes import probe
 
     items: list[Force | Constraint] = [*model.forces, *model.constraints]
     kept = [kind for kind in (*energy.STORED, "external work") if energy.accounts(items, kind)]
-    probes = {name: probe.energies(model, name) for name in ("kinetic", *kept, "total", "ratio")}
+    probes = {name: probe(model, energy=name) for name in ("kinetic", *kept, "total", "ratio")}
     for entry in deck.all("DATABASE_HISTORY_NODE"):
         for nid in entry.ids.tolist():
             for quantity in ("displacement", "velocity"):
                 for axis in "xyz":
                     name = f"{axis}-{quantity}"
-                    probes[f"node {nid} {name}"] = probe.node(model, nid, name)
+                    probes[f"node {nid} {name}"] = probe(model, node=nid, component=name)
     return probes
 
 

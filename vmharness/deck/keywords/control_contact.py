@@ -8,7 +8,7 @@ CONTROL_CONTACT = Keyword(
     "CONTROL_CONTACT",
     Card(
         slsfac=real(0.1, zero_is_default=True, above=0.0),
-        rwpnal=real(0.0),  # penalty of rigid bodies at rigid walls
+        rwpnal=real(0.0, at_least=0.0),  # penalty of rigid bodies at rigid walls
         islchk=integer(1, choices=(0, 1, 2)),
         shlthk=integer(0, choices=(0, 1, 2)),
         penopt=integer(1, choices=(1, 2), zero_is_default=True),

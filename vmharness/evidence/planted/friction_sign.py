@@ -1,4 +1,4 @@
-"""Friction pulls along the sliding, not against it."""
+"""Friction pushes along the sliding, not against it."""
 
 KIND = "physics"
 MODULE = "vmharness.explicit.penalty.friction"

@@ -39,6 +39,8 @@ def build(deck: Deck, model: Model) -> None:
     inertia = [inertia_of(model, member) for member in found]
     velocity = velocities(deck, model, found, inertia)
     model.state.lumped = model.state.mass.copy()
+    for member, one in zip(found, inertia, strict=True):
+        model.state.lumped[member.nodes] = _shares(model.state.mass[member.nodes], one.mass)
     for row, member, one, (v, omega) in zip(centre, found, inertia, velocity, strict=True):
         _place(model, row, member, one, v, omega)
     motions = _motions(model, centre)
@@ -59,6 +61,12 @@ def build(deck: Deck, model: Model) -> None:
     model.constraints.append(bodies)
     model.kinetic.others.append(bodies.kinetic)
     _say(model, found, inertia)
+
+
+def _shares(mass: Array, total: float) -> Array:
+    """A body's mass over its nodes (m,): in the ratio of their own `mass`, alike where they have none."""
+    own = mass.sum()
+    return mass * (total / own) if own > 0.0 else np.full(mass.size, total / max(mass.size, 1))
 
 
 def _ruled(model: Model, found: list[Member]) -> NDArray[np.bool_]:

@@ -49,7 +49,7 @@ def cycle(
         for k in range(node["count"]):
             half_work(x, v, dt, node, segments, own[k], rule, account)
         node["force"][0] = node["force"][1] = node["force"][2] = 0.0
-        if keep_up(x, node, own, segments, first, beside, rule["maxpar"], account) or sorted_now:
+        if keep_up(x, v, dt, node, own, segments, first, beside, rule["maxpar"], account) or sorted_now:
             node["clear"] = 0.0
         if node["clear"] <= travel:
             candidates = near[near_first[t] : near_first[t + 1]]
@@ -65,8 +65,8 @@ def cycle(
 
 @inlined
 def keep_up(
-    x: Array, node: Record, touches: Records, segments: Records, first: Index, beside: Index, maxpar: float,
-    account: Array,
+    x: Array, v: Array, dt: float, node: Record, touches: Records, segments: Records, first: Index, beside: Index,
+    maxpar: float, account: Array,
 ) -> bool:  # fmt: skip
     """Follow all touches of a node; True where one has moved to another segment or let go."""
     changed, k = False, 0
@@ -77,7 +77,7 @@ def keep_up(
             k += 1
         else:
             changed = True
-            let_go(touches[k], account)
+            let_go(x, v, dt, node, segments, touches[k], account)
             node["count"] -= 1
             for later in range(k, node["count"]):
                 touches[later] = touches[later + 1]

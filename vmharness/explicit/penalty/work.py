@@ -9,7 +9,7 @@ from vmharness.explicit.penalty.motion import carried, relative
 from vmharness.explicit.penalty.touch import Record, Records
 from vmharness.explicit.segment import shape
 from vmharness.explicit.state import Array
-from vmharness.explicit.vector import dot, inlined, subtract
+from vmharness.explicit.vector import add, dot, inlined, scale, subtract
 
 
 @inlined
@@ -26,9 +26,15 @@ def half_work(
 
 
 @uncounted
-def let_go(touch: Record, account: Array) -> None:
-    """What is left in the spring that stuck is lost to friction."""
-    slip = (touch["slip"][0], touch["slip"][1], touch["slip"][2])
+def let_go(
+    x: Array, v: Array, dt: float, node: Record, segments: Records, touch: Record, account: Array
+) -> None:
+    """All that is stretched slips, |f_{n-1}|/2 |s + dt v_t|, and goes to friction: no force is left at t_n."""
+    segment = segments[touch["segment"]]
+    velocity = relative(v, node["row"], segment, shape(segment["triangle"], touch["xi"], touch["eta"]))
+    n = (touch["normal"][0], touch["normal"][1], touch["normal"][2])
+    sliding = subtract(velocity, scale(dot(velocity, n), n))
+    slip = add((touch["slip"][0], touch["slip"][1], touch["slip"][2]), scale(dt, sliding))
     left = 0.5 * touch["shear"] * dot(slip, slip) ** 0.5
     account[0] -= left
     account[1] += left

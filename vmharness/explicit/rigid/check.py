@@ -13,7 +13,7 @@ from vmharness.explicit.rigid.members import Member
 
 
 def check_free(model: Model, found: list[Member]) -> None:
-    """No support, prescribed motion or rigid wall may rule a single node of a body."""
+    """No support or prescribed motion may rule a single node of a body."""
     for constraint in model.constraints:
         ruled = np.asarray(constraint.fixed.any(axis=1))
         ruled[getattr(constraint, "nodes", [])] = True  # those too that it rules for a time, or on one side

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError
-from vmharness.explicit import probe
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model import build
+from vmharness.explicit.probes import probe
 
 DECK = """*KEYWORD
 *CONTROL_TERMINATION
@@ -43,7 +43,7 @@ def test_s_lies_in_the_plane_of_the_axis_and_the_third_node(deck, element):
     g = 2.1e11 / 2.6
     for name, moment in (("s-shear", 1e-9), ("t-shear", 4e-9)):
         phi = 12 * 2.1e11 * moment / (g * 1.5e-4)
-        shear = probe.element(m, "beam", 1, name)()
+        shear = probe(m, beam=1, component=name)()
         assert abs(shear) == pytest.approx(12 * 2.1e11 * moment / (1 + phi) * 1e-6, rel=1e-6)
 
 
@@ -58,7 +58,7 @@ def test_beams_and_trusses_in_one_deck(deck):
     m.state.v[1, 0] = 1.0
     *_, s = steps(m)
     assert np.isfinite(s.x).all()
-    pull = [probe.element(m, "beam", eid, "axial-stress")() for eid in (1, 2)]
+    pull = [probe(m, beam=eid, component="axial-stress")() for eid in (1, 2)]
     assert pull[0] / pull[1] == pytest.approx(0.7, rel=1e-3)
 
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from vmharness.explicit import probe
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model import build
+from vmharness.explicit.probes import probe
 
 SLENDERNESS = (0.002, 0.02, 0.1, 0.15, 0.16, 0.2, 0.5, 2.0)  # radius of gyration / length of the element
 
@@ -158,7 +158,7 @@ def test_a_tumbling_beam_keeps_momentum_angular_momentum_and_energy(deck):
     def angular():  # with x_n and v_{n-1/2}: x_n and x_{n-1} give the same
         return (mass * np.cross(s.x, s.v) + inertia * s.omega).sum(axis=0)
 
-    ratio, internal, bent = probe.energies(model, "ratio"), probe.energies(model, "internal"), []
+    ratio, internal, bent = probe(model, energy="ratio"), probe(model, energy="internal"), []
     across = []
     linear, turning = (mass * s.v).sum(axis=0), angular()
     for _ in steps(model):
@@ -182,7 +182,7 @@ def test_order_in_time_is_two(deck):
                 + text.replace("60.0", "6.0").replace("30.0", "3.0")
             )
         )
-        read = probe.node(model, 3, "z-displacement")
+        read = probe(model, node=3, component="z-displacement")
         path = np.array([(s.t, read()) for s in steps(model)])
         return np.interp(1.9e-3, *path.T), path[-1, 1]
 

@@ -7,7 +7,7 @@ from vmharness.explicit.elements.shell_belytschko_tsay import BelytschkoTsay
 from vmharness.explicit.materials import plastic_kinematic
 from vmharness.explicit.materials.elastic import plane_stress
 from vmharness.explicit.plasticity.piecewise_linear import line
-from vmharness.explicit.probe import element
+from vmharness.explicit.probes import probe
 
 E, NU, T = 210.0, 0.3, 0.5
 SIDES = (2.0, 3.0)
@@ -115,6 +115,6 @@ def test_from_the_deck(wall_and, istupd):
     model.state.dt = 1e-3
     model.forces[1].add(model.state)
     strain = 0.2 * 1e-3 / 2
-    assert element(model, "shell", 2, "plastic-strain")() == pytest.approx(2 * strain, rel=0.02)
+    assert probe(model, shell=2, component="plastic-strain")() == pytest.approx(2 * strain, rel=0.02)
     thinned = T0 * (1 - 2 * strain) if istupd else T0
-    assert element(model, "shell", 2, "thickness")() == pytest.approx(thinned, rel=1e-6)
+    assert probe(model, shell=2, component="thickness")() == pytest.approx(thinned, rel=1e-6)

@@ -6,7 +6,7 @@ import pytest
 from vmharness.deck import DeckError
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model import build
-from vmharness.explicit.probe import element, energies
+from vmharness.explicit.probes import probe
 from vmharness.explicit.shells import shell_faces
 
 SHEET = "*NODE\n5,0.0,0.0,3.0\n6,1.0,0.0,3.0\n7,1.0,1.0,3.0\n8,0.0,1.0,3.0\n"
@@ -27,7 +27,7 @@ def test_a_part_of_both_makes_two_forces(wall_and):
     assert model.ids[block.nodes].tolist() == [[5, 6, 7], [7, 8, 5]]
     assert model.state.mass[4:] == pytest.approx(1e-4 * 0.1 / 6 * np.array([2, 1, 2, 1]))
     for eid in (1, 2, 3):
-        assert element(model, "shell", eid, "thickness")() == pytest.approx(0.1)
+        assert probe(model, shell=eid, component="thickness")() == pytest.approx(0.1)
 
 
 def test_faces_repeat_the_third_corner(deck):
@@ -37,7 +37,7 @@ def test_faces_repeat_the_third_corner(deck):
     )  # fmt: skip
     model = build(read)
     assert model.ids[shell_faces(read, model)].tolist() == [[5, 6, 7, 7], [7, 8, 5, 5], [5, 6, 8, 8]]
-    assert element(model, "shell", 4, "thickness")() == pytest.approx(0.3)  # of its three nodes
+    assert probe(model, shell=4, component="thickness")() == pytest.approx(0.3)  # of its three nodes
 
 
 def test_mass_scaling_takes_triangles_too(wall_and):
@@ -62,9 +62,9 @@ def test_plastic_flow_and_thickness(wall_and, istupd, esort):
     model.state.dt = 1e-3
     triangles(model)[0].add(model.state)
     for eid in (2, 3):
-        assert element(model, "shell", eid, "plastic-strain")() == pytest.approx(2 * strain, rel=0.02)
+        assert probe(model, shell=eid, component="plastic-strain")() == pytest.approx(2 * strain, rel=0.02)
         thinned = 0.1 * (1 - 2 * strain) if istupd else 0.1
-        assert element(model, "shell", eid, "thickness")() == pytest.approx(thinned, rel=1e-6)
+        assert probe(model, shell=eid, component="thickness")() == pytest.approx(thinned, rel=1e-6)
 
 
 def test_a_strip_under_sudden_load_stretches_by_twice_the_static_amount(wall_and):
@@ -77,7 +77,7 @@ def test_a_strip_under_sudden_load_stretches_by_twice_the_static_amount(wall_and
     for state in steps(model):
         u = state.x[[5, 6], 0] - 1.0
     assert u == pytest.approx(2 * 2e-5 / (3.0 * 0.1), rel=1e-3)
-    assert energies(model, "ratio")() == pytest.approx(1.0, abs=1e-3)
+    assert probe(model, energy="ratio")() == pytest.approx(1.0, abs=1e-3)
 
 
 @pytest.mark.parametrize(

@@ -5,10 +5,11 @@ import pytest
 
 from vmharness.backends.builtin import FOLDERS
 from vmharness.deck import DeckError, read, vocabulary, write_long
-from vmharness.explicit import probe
 from vmharness.explicit.hexahedron.part import Hexahedra
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model import build
+from vmharness.explicit.probe import ProbeError
+from vmharness.explicit.probes import probe
 
 HEAD = """*KEYWORD
 *CONTROL_TERMINATION
@@ -125,22 +126,20 @@ def test_channels(deck):
         "von-mises": sigma,
     }
     for component, value in expected.items():
-        assert probe.element(model, "solid", 7, component)() == pytest.approx(
+        assert probe(model, solid=7, component=component)() == pytest.approx(
             value, rel=1e-5, abs=1e-5 * sigma
         )
     quarter = np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1.0]])
-    show = probe.element(model, "solid", 7, "xx-stress")
+    show = probe(model, solid=7, component="xx-stress")
     start = s.x.copy()
     s.x[:] = start @ quarter.T
     s.v[:] = s.x - start
     block.add(s)
     assert show() == pytest.approx(sigma, rel=1e-5)
-    with pytest.raises(
-        probe.ProbeError, match=r"no 'axial-force' of a solid; there are: xx-stress, .*von-mises"
-    ):
-        probe.element(model, "solid", 7, "axial-force")
-    with pytest.raises(probe.ProbeError, match="no point 2; the solid has 1"):
-        probe.element(model, "solid", 7, "xx-stress", 2)
+    with pytest.raises(ProbeError, match=r"no 'axial-force' of a solid; there are: xx-stress, .*von-mises"):
+        probe(model, solid=7, component="axial-force")
+    with pytest.raises(ProbeError, match="no point 2; the solid has 1"):
+        probe(model, solid=7, component="xx-stress", point=2)
 
 
 def column(n, elform, more=""):
@@ -168,7 +167,7 @@ def test_wave_at_the_dilatational_speed(deck, elform):
     """Uniaxial strain after impact at v = 1: the front runs at c_L, v = 1/2 behind it, s = -rho c_L / 2 (cases D45)."""
     n = 100
     model = build(deck(column(n, elform)))
-    ratio = probe.energies(model, "ratio")
+    ratio = probe(model, energy="ratio")
     seen = []
     for s in steps(model):
         v = s.v[::4, 0]

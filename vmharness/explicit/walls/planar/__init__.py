@@ -25,13 +25,14 @@ else a node may end a step behind the earlier one by a fraction of its way, whic
 
 A wall acts on nodes that come from its front; one that is behind it, round the edge of a finite wall or before BIRTH,
 passes. A node that a support or a prescribed motion holds along n has its master already, and is left out. The wall
-acts from BIRTH to DEATH; OFFSET > 0 leaves out nodes that begin farther from it.
+acts from BIRTH to DEATH; OFFSET > 0 leaves out nodes that begin farther from it. Nodes of rigid bodies are left out.
 
 Source: LS-DYNA keyword manual, the cards and the default treatment, by momentum and not by penalty (RWPNAL = 0);
 J. J. Moreau, Unilateral contact and dry friction in finite freedom dynamics (1988), for the conditions.
 
     keyword.py   cards        face.py   the plane and its edges        law.py   one step of all nodes
     wall.py      the wall as a constraint                              build.py   from the deck
+    tracked.py   which nodes
 """
 
 from vmharness.explicit.walls.planar.build import build

@@ -9,13 +9,12 @@ from vmharness.deck import Deck, Entry
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.constraints.spc import supported
 from vmharness.explicit.model import Model
-from vmharness.explicit.sets import node_set
 from vmharness.explicit.state import Array
-from vmharness.explicit.walls.planar.face import NORMAL, covers, face_of
+from vmharness.explicit.walls.planar.face import covers, face_of
 from vmharness.explicit.walls.planar.keyword import KEYWORDS
+from vmharness.explicit.walls.planar.tracked import rigid_nodes, tracked
 from vmharness.explicit.walls.planar.wall import PlanarWall
 
-Index = NDArray[np.intp]
 Flags = NDArray[np.bool_]
 
 
@@ -24,13 +23,13 @@ def build(deck: Deck, model: Model) -> None:
     entries = [entry for entry in deck.entries if entry.keyword in KEYWORDS]
     if not entries:
         return
-    ruled, taken = _ruled(deck, model), set[int]()
+    ruled, rigid, taken = _ruled(deck, model), rigid_nodes(deck, model), set[int]()
     for place, entry in enumerate(entries, 1):
         number = entry.id or place
         if number in taken:
             raise entry.error("id", "another rigid wall has this number; give each its own by _ID")
         taken.add(number)
-        model.constraints.append(_wall(deck, model, entry, number, ruled))
+        model.constraints.append(_wall(deck, model, entry, number, ruled, rigid))
 
 
 def _ruled(deck: Deck, model: Model) -> Flags:
@@ -42,14 +41,14 @@ def _ruled(deck: Deck, model: Model) -> Flags:
     return ruled[:, :3]
 
 
-def _wall(deck: Deck, model: Model, entry: Entry, number: int, ruled: Flags) -> PlanarWall:
+def _wall(deck: Deck, model: Model, entry: Entry, number: int, ruled: Flags, rigid: Flags) -> PlanarWall:
     if entry.death <= entry.birth:
         raise entry.error("death", f"the wall would end before its birth at {entry.birth:g}")
     moves = "v0" in entry.values
     if moves and entry.birth > 0.0:
         raise entry.error("birth", "not supported for a moving wall: whether it moves before is not certain")
     face = _face(entry)
-    nodes = _tracked(deck, model, entry, face, ruled)
+    nodes = tracked(deck, model, entry, face, ruled, rigid)
     wall = PlanarWall(
         number, nodes, face, _friction(entry), entry.birth, entry.death, entry.mass if moves else math.inf,
         entry.v0 if moves else 0.0,
@@ -76,25 +75,6 @@ def _friction(entry: Entry) -> float:
     if entry.fric > 1.0:
         raise entry.error("fric", "only 0, 1 and what lies between are supported")
     return math.inf if entry.fric == 1.0 else float(entry.fric)
-
-
-def _tracked(deck: Deck, model: Model, entry: Entry, face: Array, ruled: Flags) -> Index:
-    """Rows of the nodes of NSID (0: all) without NSIDEX, within OFFSET, that are free to move along the normal."""
-    nodes = node_set(deck, model, entry, "nsid") if entry.nsid else np.arange(model.ids.size)
-    if entry.nsidex:
-        nodes = np.setdiff1d(nodes, node_set(deck, model, entry, "nsidex"))
-    if entry.offset > 0.0:
-        nodes = nodes[(model.x0[nodes] - face[0]) @ face[NORMAL] <= entry.offset]
-    normal = np.abs(face[NORMAL]) > 1e-12
-    held = ruled[nodes][:, normal]
-    for row in nodes[held.any(axis=1) & ~held.all(axis=1)]:
-        raise entry.error(
-            "xh", f"node {model.ids[row]} is ruled along an axis oblique to the wall; not supported"
-        )
-    free = nodes[~held.any(axis=1)]
-    if not free.size:
-        raise entry.error("nsid", "no node that could meet the wall is free to move along its normal")
-    return free
 
 
 def _check_in_front(model: Model, entry: Entry, wall: PlanarWall) -> None:

@@ -1,0 +1,7 @@
+"""Joints turn the second body the wrong way."""
+
+KIND = "physics"
+MODULE = "vmharness.explicit.rigid.couple"
+SOUND = "turned[b, k] += amount * turning[r, side, k]"
+FAULTY = "turned[b, k] -= amount * turning[r, side, k]"
+KEYWORDS = ("CONSTRAINED_JOINT_",)

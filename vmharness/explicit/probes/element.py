@@ -1,0 +1,21 @@
+"""Stresses and forces of an element."""
+
+import numpy as np
+
+from vmharness.explicit.force import Elements
+from vmharness.explicit.model import Model
+from vmharness.explicit.probe import Probe, ProbeError
+
+KEYS = ("shell", "solid", "beam", "discrete")
+
+
+def probe(model: Model, component: str, point: int = 1, **element: int) -> Probe:
+    """A component of an element, `shell=7` or its like, in its own frame: `xx-stress`, `axial-force`."""
+    ((kind, eid),) = element.items()
+    for force in model.forces:
+        if isinstance(force, Elements) and force.kind == kind and eid in force.eid:
+            try:
+                return force.probe(int(np.flatnonzero(force.eid == eid)[0]), point, component)
+            except ValueError as error:
+                raise ProbeError(str(error)) from None
+    raise ProbeError(f"no {kind} element {eid} in the deck")

@@ -1,0 +1,49 @@
+"""Energies of the model, or of a part."""
+
+from vmharness.explicit.constraint import Constraint
+from vmharness.explicit.energy import STORED, accounts, stored
+from vmharness.explicit.energy import ratio as ratio_of
+from vmharness.explicit.force import Elements, Force
+from vmharness.explicit.model import Model
+from vmharness.explicit.probe import Probe, choose
+from vmharness.explicit.state import Array
+
+KEYS = ("energy",)
+
+
+def probe(model: Model, energy: str, part: int | None = None) -> Probe:
+    """An energy of the whole model: kinetic, total, ratio, or any that a force or constraint accounts for.
+
+    With `part`, what the elements of that part account for: internal, hourglass, ...
+    """
+    items: list[Force | Constraint] = [*model.forces, *model.constraints]
+    if part is not None:
+        items = [item for item in items if isinstance(item, Elements) and item.pid == part]
+    kinds = [*STORED, "external work"]
+    probes: dict[str, Probe] = {
+        kind: _sum(found) for kind in kinds if (found := accounts(items, kind)) or part is None
+    }
+    if part is None:
+        probes |= _whole(model, probes["external work"], stored(items))
+    return choose(probes, energy, f"of part {part}" if part is not None else "among the energies")
+
+
+def _whole(model: Model, work: Probe, others: list[Array]) -> dict[str, Probe]:
+    """Kinetic and total energy, and the energy ratio."""
+    s, kinetic, rest, initial = model.state, model.kinetic, _sum(others), 0.0
+
+    def total() -> float:
+        return kinetic() + rest()
+
+    def ratio() -> float:
+        nonlocal initial
+        if s.cycle == 0:
+            initial = total()
+        return ratio_of(total(), initial, work())
+
+    return {"kinetic": kinetic, "total": total, "ratio": ratio}
+
+
+def _sum(accounts: list[Array]) -> Probe:
+    """The sum of accounts (1,); most energies have one, which is then read without a detour."""
+    return accounts[0].item if len(accounts) == 1 else lambda: sum([account.item() for account in accounts])
