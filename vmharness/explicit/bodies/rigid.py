@@ -14,9 +14,9 @@ from vmharness.deck import Deck
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.damping.mass import MassDamping
 from vmharness.explicit.model import Model
-from vmharness.explicit.rigid.bearing import bear
+from vmharness.explicit.rigid.bearing import bear, share_given
 from vmharness.explicit.rigid.bodies import Bodies, Drive, Gather
-from vmharness.explicit.rigid.check import check_free, check_joints, check_whole
+from vmharness.explicit.rigid.check import check_free, check_joints, check_scaling, check_whole
 from vmharness.explicit.rigid.inertia import Inertia, principal, quaternion
 from vmharness.explicit.rigid.joints import joints
 from vmharness.explicit.rigid.members import Member, inertia_of, members
@@ -35,6 +35,7 @@ def build(deck: Deck, model: Model) -> None:
         return
     check_free(model, found)
     check_whole(model, found)
+    check_scaling(model, found)
     centre = np.array([model.centre(member.number) for member in found], np.intp)
     inertia = [inertia_of(model, member) for member in found]
     velocity = velocities(deck, model, found, inertia)
@@ -55,6 +56,7 @@ def build(deck: Deck, model: Model) -> None:
     if bodies.joints is not None:
         check_joints(deck, bodies, motions)
     bear(model, bodies)
+    share_given(model, bodies, [member.has_inertia for member in found])
     model.constraints.insert(0, Gather(bodies, inverse_mass))
     model.constraints.append(bodies)
     model.kinetic.others.append(bodies.kinetic)

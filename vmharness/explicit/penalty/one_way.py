@@ -36,7 +36,7 @@ class OneWay:
 
     def _cycle(self, s: State, sorted_now: bool) -> bool:
         return cycle(
-            s.f, s.x, s.v, s.a, s.mass, s.dt, self.nodes, self.segments, self.touches, self.first, self.beside,
+            s.f, s.x, s.v, s.a, s.lumped, s.dt, self.nodes, self.segments, self.touches, self.first, self.beside,
             self.near_first, self.near, self.rows, self.rule, self.account, sorted_now,
         )  # fmt: skip
 

@@ -10,6 +10,8 @@ from vmharness.explicit.model import Model
 from vmharness.explicit.rigid.bodies import Bodies
 from vmharness.explicit.rigid.joints import definitions
 from vmharness.explicit.rigid.members import Member
+from vmharness.explicit.timestep.mass_scaling import MassScaling
+from vmharness.explicit.walls.planar.wall import PlanarWall
 
 
 def check_free(model: Model, found: list[Member]) -> None:
@@ -19,10 +21,12 @@ def check_free(model: Model, found: list[Member]) -> None:
         ruled[getattr(constraint, "nodes", [])] = True  # those too that it rules for a time, or on one side
         for member in found:
             for row in member.nodes[ruled[member.nodes]]:
-                what = (
-                    f"its node {model.ids[row]} is ruled by {constraint.name}; "
-                    "a rigid body is held by CMO of *MAT_RIGID, moved by *BOUNDARY_PRESCRIBED_MOTION_RIGID"
+                remedy = (
+                    "rigid walls stop no rigid bodies: leave its nodes out by NSIDEX"
+                    if isinstance(constraint, PlanarWall)
+                    else "a rigid body is held by CMO of *MAT_RIGID, moved by *BOUNDARY_PRESCRIBED_MOTION_RIGID"
                 )
+                what = f"its node {model.ids[row]} is ruled by {constraint.name}; {remedy}"
                 raise member.entry.error("pid", what)
 
 
@@ -38,6 +42,22 @@ def check_whole(model: Model, found: list[Member]) -> None:
             if acted[member.nodes].any() and not acted[model.centre(member.number)]:
                 what = f"{name} acts on parts that have nodes of this rigid body, but not on the body itself"
                 raise member.entry.error("pid", what)
+
+
+def check_scaling(model: Model, found: list[Member]) -> None:
+    """Mass that comes during the run would stay on the node, where a body has its mass at the centre."""
+    scaled = np.zeros(model.ids.size, bool)
+    for constraint in model.constraints:
+        if isinstance(constraint, MassScaling):
+            for block in constraint.blocks:
+                scaled[block.nodes] = True
+    for member in found:
+        for row in member.nodes[scaled[member.nodes]]:
+            what = (
+                f"its node {model.ids[row]} is one of elements whose mass is scaled during the run, "
+                "which is not supported; MS1ST = 1 is"
+            )
+            raise member.entry.error("pid", what)
 
 
 def check_joints(deck: Deck, bodies: Bodies, motions: list[PrescribedMotion]) -> None:
