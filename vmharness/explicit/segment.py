@@ -59,21 +59,25 @@ def interpolate(c: Corners, weights: Weights) -> Vector:
 
 
 @inlined
-def twist(triangle: bool, c: Corners) -> Vector:
-    """r,xi,eta, the same everywhere; zero for a parallelogram."""
+def polynomial(triangle: bool, c: Corners) -> Corners:
+    """o, a, b, w of r = o + xi a + eta b + xi eta w; the twist w is zero for a parallelogram and for a triangle."""
     if triangle:
-        return 0.0, 0.0, 0.0
-    return scale(0.25, subtract(add(c[0], c[2]), add(c[1], c[3])))
+        return c[0], subtract(c[1], c[0]), subtract(c[2], c[0]), (0.0, 0.0, 0.0)
+    left, right = add(c[0], c[3]), add(c[1], c[2])
+    low, high = add(c[0], c[1]), add(c[2], c[3])
+    w = subtract(add(c[0], c[2]), add(c[1], c[3]))
+    return (
+        scale(0.25, add(low, high)),
+        scale(0.25, subtract(right, left)),
+        scale(0.25, subtract(high, low)),
+        scale(0.25, w),
+    )
 
 
 @inlined
 def tangents(triangle: bool, c: Corners, xi: float, eta: float) -> tuple[Vector, Vector]:
     """r,xi and r,eta."""
-    if triangle:
-        return subtract(c[1], c[0]), subtract(c[2], c[0])
-    w = twist(triangle, c)
-    a = scale(0.25, subtract(add(c[1], c[2]), add(c[0], c[3])))
-    b = scale(0.25, subtract(add(c[2], c[3]), add(c[0], c[1])))
+    _, a, b, w = polynomial(triangle, c)
     return add(a, scale(eta, w)), add(b, scale(xi, w))
 
 
@@ -99,10 +103,10 @@ def project(triangle: bool, c: Corners, p: Vector, xi: float, eta: float) -> tup
     They may lie outside the segment. Steps are limited, so that a warped segment and a distant p do not throw the
     iteration off. What a step ds leaves is of the order |r,xi,eta| / |r,xi| ds^2: nothing on a parallelogram.
     """
-    w = twist(triangle, c)
+    o, a, b, w = polynomial(triangle, c)
+    a, b = add(a, scale(eta, w)), add(b, scale(xi, w))
+    d = subtract(subtract(p, o), add(scale(xi, a), scale(eta, subtract(b, scale(xi, w)))))  # p - r
     for _ in range(ITERATIONS):
-        a, b = tangents(triangle, c, xi, eta)
-        d = subtract(p, interpolate(c, shape(triangle, xi, eta)))
         aa, bb, plain = dot(a, a), dot(b, b), dot(a, b)
         # The twist enters the Hessian of |p - r|^2 / 2 off the diagonal; where that is not convex, leave it out.
         ab = plain - dot(d, w)
@@ -115,6 +119,9 @@ def project(triangle: bool, c: Corners, p: Vector, xi: float, eta: float) -> tup
         if longest > 2.0:
             step_xi, step_eta = 2.0 * step_xi / longest, 2.0 * step_eta / longest
         xi, eta = xi + step_xi, eta + step_eta
+        b = add(b, scale(step_xi, w))  # tangents at the end of the step, and p - r there
+        d = subtract(d, add(scale(step_xi, a), scale(step_eta, b)))
+        a = add(a, scale(step_eta, w))
         if longest < CONVERGED or (longest <= 2.0 and dot(w, w) * longest**4 <= CONVERGED**2 * min(aa, bb)):
             break
     return xi, eta

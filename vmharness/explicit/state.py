@@ -28,7 +28,9 @@ class State:
     alpha: Array = field(init=False)  # (n, 3) angular acceleration
     f: Array = field(init=False)  # (n, 3) force
     moment: Array = field(init=False)  # (n, 3) moment
-    lumped: Array = field(init=False)  # (n,) lumped mass, on the nodes of rigid bodies too
+    lumped: Array = field(
+        init=False
+    )  # (n,) lumped mass, nodes of rigid bodies with their shares: what contacts feel
 
     def __post_init__(self) -> None:
         for name in ("a", "alpha", "f", "moment"):

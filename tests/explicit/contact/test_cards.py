@@ -89,6 +89,11 @@ def test_fs_2_is_a_table_not_a_coefficient(bodies):
         options(bodies("*CONTACT_NODES_TO_SURFACE\n8,1,4,3\n2.0\n\n"))
 
 
+def test_a_contact_does_not_end_before_its_birth(bodies):
+    with pytest.raises(DeckError, match=r"DT = 0.5: the contact would end before its birth at 0.5"):
+        options(bodies("*CONTACT_NODES_TO_SURFACE\n8,1,4,3\n,,,,,,0.5,0.5\n\n"))
+
+
 def test_contacts_are_numbered_through_all_keywords_in_the_order_of_the_deck(bodies):
     cards = "8,1,4,3\n\n\n"
     deck = bodies(

@@ -156,6 +156,14 @@ def test_channels_of_a_contact_that_are_not_there_are_refused(deck):
         probe(model, contact=1, component="area", node=11)
 
 
+def test_a_node_without_an_element_touches_with_no_area(wall_and):
+    ball = "*NODE\n5,0,0,0.0\n*ELEMENT_MASS\n105,5,1.0\n*SET_NODE_LIST\n2\n5\n*INITIAL_VELOCITY\n\n0,0,-1\n"
+    model = wall_and(ball + "*CONTACT_NODES_TO_SURFACE\n2,1,4,3\n\n\n", end=0.01)
+    nodes, area = (probe.contact(model, 1, what) for what in ("nodes", "area"))
+    *_, _ = steps(model)
+    assert (nodes(), area()) == (1, 0.0)
+
+
 def test_the_reaction_at_one_support(wall_and):
     model = wall_and("*BOUNDARY_SPC_NODE\n1,,1,1,1,1,1,1\n*LOAD_NODE_POINT\n1,3,1,2.5\n")
     reaction = probe(model, support=1, component="z-force")

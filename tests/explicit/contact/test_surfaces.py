@@ -133,6 +133,10 @@ def test_a_segment_takes_its_element_by_its_corners_and_keeps_its_own_order(side
         ),
         (contact(44, 3), r"SURFB = 44: no \*PART with PID = 44"),
         ("*PART\nempty\n9,1,1\n" + contact(9, 3), r"SURFB = 9: the surface has neither shells nor solids"),
+        (
+            "*PART\nempty\n9,1,1\n*SET_PART_LIST\n19\n2,9\n" + contact(19, 2),
+            r"SURFB = 19: part 9 of the set has neither shells nor solids",
+        ),
     ],
 )
 def test_what_is_no_surface_is_refused(sides, text, message):

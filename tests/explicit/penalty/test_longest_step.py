@@ -45,3 +45,7 @@ def test_a_contact_that_is_too_stiff_is_told(wall_and):
     stiff, soft = wall_and(ball + control.format(1.0)), wall_and(ball + control.format(1e-9))
     assert "should not exceed" in stiff.facts["Step of contact 1"]
     assert soft.facts == {}
+    short = wall_and(
+        ball + control.format(1.0) + "*CONTROL_TIMESTEP\n,,,,,7\n*DEFINE_CURVE\n7\n0,1e-7\n1,1e-7\n"
+    )
+    assert short.facts == {}

@@ -192,6 +192,44 @@ def test_two_bodies_do_not_share_a_node_and_none_is_without_mass(space, block):
         space(block + "*CONSTRAINED_NODAL_RIGID_BODY\n8,0,4\n*SET_NODE_LIST\n4\n9\n*NODE\n9,0,0,9\n")
 
 
+SCALED = """*KEYWORD
+*CONTROL_TERMINATION
+1.0
+*CONTROL_TIMESTEP
+,,,,-1e3,,,{ms1st}
+*PART
+sheet
+1,1,1
+*SECTION_SHELL
+1,2
+0.1
+*MAT_ELASTIC
+1,1.0,3.0,0.0
+*ELEMENT_SHELL
+1,1,1,2,3,4
+*NODE
+1,0.0,0.0,0.0
+2,1.0,0.0,0.0
+3,1.0,1.0,0.0
+4,0.0,1.0,0.0
+*CONSTRAINED_NODAL_RIGID_BODY
+9,0,2
+*SET_NODE_LIST
+2
+1,2
+"""
+
+
+def test_mass_of_the_nodes_of_a_body_is_scaled_at_the_beginning_alone(deck):
+    model = build(deck(SCALED.format(ms1st=1)))
+    assert model.state.mass[model.centre(9)] == pytest.approx(model.state.mass[2:4].sum(), rel=1e-12)
+    assert model.state.mass[2] > 1e3 * 0.025
+    with pytest.raises(
+        DeckError, match=r"PID = 9: its node 1 is one of elements whose mass is scaled during the run"
+    ):
+        build(deck(SCALED.format(ms1st=0)))
+
+
 def test_inertia_is_given_to_rigid_parts_only(space, block):
     text = block.replace(
         "*PART\nblock\n7,7,7\n",

@@ -14,9 +14,9 @@ from vmharness.deck import Deck
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.damping.mass import MassDamping
 from vmharness.explicit.model import Model
-from vmharness.explicit.rigid.bearing import bear
+from vmharness.explicit.rigid.bearing import bear, share_given
 from vmharness.explicit.rigid.bodies import Bodies, Drive, Gather
-from vmharness.explicit.rigid.check import check_free, check_joints, check_whole
+from vmharness.explicit.rigid.check import check_free, check_joints, check_scaling, check_whole
 from vmharness.explicit.rigid.inertia import Inertia, principal, quaternion
 from vmharness.explicit.rigid.joints import joints
 from vmharness.explicit.rigid.members import Member, inertia_of, members
@@ -35,12 +35,11 @@ def build(deck: Deck, model: Model) -> None:
         return
     check_free(model, found)
     check_whole(model, found)
+    check_scaling(model, found)
     centre = np.array([model.centre(member.number) for member in found], np.intp)
     inertia = [inertia_of(model, member) for member in found]
     velocity = velocities(deck, model, found, inertia)
     model.state.lumped = model.state.mass.copy()
-    for member, one in zip(found, inertia, strict=True):
-        model.state.lumped[member.nodes] = _shares(model.state.mass[member.nodes], one.mass)
     for row, member, one, (v, omega) in zip(centre, found, inertia, velocity, strict=True):
         _place(model, row, member, one, v, omega)
     motions = _motions(model, centre)
@@ -57,16 +56,11 @@ def build(deck: Deck, model: Model) -> None:
     if bodies.joints is not None:
         check_joints(deck, bodies, motions)
     bear(model, bodies)
+    share_given(model, bodies, [member.has_inertia for member in found])
     model.constraints.insert(0, Gather(bodies, inverse_mass))
     model.constraints.append(bodies)
     model.kinetic.others.append(bodies.kinetic)
     _say(model, found, inertia)
-
-
-def _shares(mass: Array, total: float) -> Array:
-    """A body's mass over its nodes (m,): in the ratio of their own `mass`, alike where they have none."""
-    own = mass.sum()
-    return mass * (total / own) if own > 0.0 else np.full(mass.size, total / max(mass.size, 1))
 
 
 def _ruled(model: Model, found: list[Member]) -> NDArray[np.bool_]:

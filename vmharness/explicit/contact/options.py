@@ -13,6 +13,8 @@ def options_of(entry: Entry, control: Mapping[str, Any]) -> Options:
     """Friction FSF FS and FSF FD, limited by the shear stress VSF VC; damping, birth and death, SOFT, IGNORE."""
     if entry.fs == 2.0:
         raise entry.error("fs", "stands for a table of friction coefficients, which is not supported")
+    if entry.dt <= entry.bt:
+        raise entry.error("dt", f"the contact would end before its birth at {entry.bt:g}")
     return Options(
         soft=entry.soft,
         sofscl=entry.sofscl,

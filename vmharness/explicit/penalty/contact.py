@@ -58,8 +58,9 @@ class Contact:
         ]
 
     def area(self) -> float:
-        """Sum of the areas of the tracked nodes that are in contact."""
-        return float(sum(one.nodes["area"][one.nodes["count"] > 0].sum() for one in self.passes))
+        """Sum of the areas of the tracked nodes that are in contact; a node without shell or solid has none."""
+        touching = [one.nodes["area"][one.nodes["count"] > 0] for one in self.passes]
+        return float(sum(area.sum(where=np.isfinite(area)) for area in touching))
 
     def touching(self) -> int:
         """How many tracked nodes are in contact."""

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.explicit.compiled import uncounted
-from vmharness.explicit.penalty.follow import follow
+from vmharness.explicit.penalty.follow import follow, slide
 from vmharness.explicit.penalty.onset import look
 from vmharness.explicit.penalty.push import push
 from vmharness.explicit.penalty.touch import Record, Records
@@ -41,14 +41,18 @@ def cycle(
         return False
     rule["travel"], rule["longest"] = travel, max(rule["longest"], dt)
     account[2:] = 0.0
+    # Several loops, since the work on several nodes overlaps in the processor only where a loop is short.
+    for t in range(nodes.size):
+        for k in range(nodes[t]["count"]):
+            half_work(x, v, dt, nodes[t], segments, touches[k, t], rule, account)
+    for t in range(nodes.size):
+        if nodes[t]["count"] > 0:
+            settle(x, nodes[t], touches[:, t], segments)
     for t in range(nodes.size):
         node = nodes[t]
-        if node["count"] == 0 and node["clear"] > travel and not sorted_now:
+        if (node["settled"] or node["count"] == 0) and node["clear"] > travel and not sorted_now:
             continue
         own = touches[:, t]
-        for k in range(node["count"]):
-            half_work(x, v, dt, node, segments, own[k], rule, account)
-        node["force"][0] = node["force"][1] = node["force"][2] = 0.0
         if keep_up(x, v, dt, node, own, segments, first, beside, rule["maxpar"], account) or sorted_now:
             node["clear"] = 0.0
         if node["clear"] <= travel:
@@ -57,10 +61,21 @@ def cycle(
                 x, v, dt, step, node, own, segments, first, beside, candidates, rule["maxpar"],
                 rule["start"], rule["ignore"],
             )  # fmt: skip
-        for k in range(node["count"]):
-            push(f, x, v, a, mass, dt, node, segments, own[k], rule, account)
+    for t in range(nodes.size):
+        for k in range(nodes[t]["count"]):
+            push(f, x, v, a, mass, dt, nodes[t], segments, touches[k, t], rule, account)
     rule["start"] = False
     return True
+
+
+@inlined
+def settle(x: Array, node: Record, touches: Records, segments: Records) -> None:
+    """Follow those touches of a node that stay where they are, and clear its force."""
+    settled = True
+    for k in range(node["count"]):
+        settled = slide(x, node, touches[k], segments) and settled
+    node["settled"] = settled
+    node["force"][0] = node["force"][1] = node["force"][2] = 0.0
 
 
 @inlined

@@ -27,6 +27,18 @@ HOPS = 4  # borders crossed within one step
 
 
 @inlined
+def slide(x: Array, node: Record, touch: Record, segments: Records) -> bool:
+    """Bring a touch to t_n that stays well within its segment, as most do; False, and nothing done, for any other."""
+    segment, side = segments[touch["segment"]], touch["side"]
+    xi, eta, out, away, n = place(x, segment, at(x, node["row"]), touch["xi"], touch["eta"])
+    gap = side * dot(away, n) - half_thickness(node, segment)
+    if gap >= 0.0 or -gap > segment["release"] or not inside(x, segment, xi, eta, out, away):
+        return False
+    write(touch, touch["segment"], side, xi, eta, scale(side, n), gap)
+    return True
+
+
+@inlined
 def follow(
     x: Array, node: Record, touches: Records, k: int, segments: Records, first: Index, beside: Index, maxpar: float
 ) -> bool:  # fmt: skip

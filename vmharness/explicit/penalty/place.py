@@ -1,9 +1,9 @@
 """Where a node is against a segment."""
 
 from vmharness.explicit.penalty.touch import Record
-from vmharness.explicit.segment import closest, corners, interpolate, normal, shape
+from vmharness.explicit.segment import closest, corners, polynomial
 from vmharness.explicit.state import Array
-from vmharness.explicit.vector import Vector, inlined, subtract
+from vmharness.explicit.vector import Vector, add, cross, inlined, scale, subtract, unit
 
 
 @inlined
@@ -16,8 +16,10 @@ def place(
     """
     c = corners(x, segment["nodes"])
     xi, eta, out = closest(segment["triangle"], c, p, xi, eta)
-    away = subtract(p, interpolate(c, shape(segment["triangle"], xi, eta)))
-    return xi, eta, out, away, normal(segment["triangle"], c, xi, eta)
+    o, a, b, w = polynomial(segment["triangle"], c)
+    along = add(a, scale(eta, w))  # r,xi; and r = o + eta b + xi r,xi
+    away = subtract(p, add(o, add(scale(eta, b), scale(xi, along))))
+    return xi, eta, out, away, unit(cross(along, add(b, scale(xi, w))))
 
 
 @inlined

@@ -7,6 +7,9 @@ Masses m_k at the nodes are safe if no rigid motion has more kinetic energy with
 for then the body only adds inertia to a model that is stable with these masses alone. They are shares of weights w_k,
 m_k = w_k / lambda, with lambda the largest eigenvalue of the form of the weights against that of the body. For one node
 this is its effective mass. Torsional springs take moments of inertia likewise; a body with both halves itself.
+
+Contacts feel the mass that elements have lumped on the nodes of a body, which is safe as it is; where mass and inertia
+of the body are given, its shares by these weights, or equal ones.
 """
 
 import numpy as np
@@ -38,6 +41,16 @@ def bear(model: Model, bodies: Bodies) -> None:
             found[about][bodies.nodes[own]] = weight / (largest * len(kinds))
     for force in discrete:
         force.bearing = found[force.about]
+
+
+def share_given(model: Model, bodies: Bodies, given: list[bool]) -> None:
+    """Put the shares of each body whose inertia is `given` on its nodes, as the lumped mass that contacts feel."""
+    lumped = model.state.lumped
+    for b in np.flatnonzero(given):
+        own = slice(bodies.first[b], bodies.first[b + 1])
+        nodes, mass = bodies.nodes[own], model.state.mass[bodies.centre[b]]
+        weight = lumped[nodes] if lumped[nodes].any() else np.ones(nodes.size)
+        lumped[nodes] = weight / largest_ratio(mass, bodies.inverse[b], bodies.arm[own], weight)
 
 
 def largest_ratio(mass: float, inverse: Array, arm: Array, weight: Array) -> float:

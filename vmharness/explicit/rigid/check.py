@@ -10,6 +10,7 @@ from vmharness.explicit.model import Model
 from vmharness.explicit.rigid.bodies import Bodies
 from vmharness.explicit.rigid.joints import definitions
 from vmharness.explicit.rigid.members import Member
+from vmharness.explicit.timestep.mass_scaling import MassScaling
 
 
 def check_free(model: Model, found: list[Member]) -> None:
@@ -38,6 +39,22 @@ def check_whole(model: Model, found: list[Member]) -> None:
             if acted[member.nodes].any() and not acted[model.centre(member.number)]:
                 what = f"{name} acts on parts that have nodes of this rigid body, but not on the body itself"
                 raise member.entry.error("pid", what)
+
+
+def check_scaling(model: Model, found: list[Member]) -> None:
+    """Mass that comes during the run would stay on the node, where a body has its mass at the centre."""
+    scaled = np.zeros(model.ids.size, bool)
+    for constraint in model.constraints:
+        if isinstance(constraint, MassScaling):
+            for block in constraint.blocks:
+                scaled[block.nodes] = True
+    for member in found:
+        for row in member.nodes[scaled[member.nodes]]:
+            what = (
+                f"its node {model.ids[row]} is one of elements whose mass is scaled during the run, "
+                "which is not supported; MS1ST = 1 is"
+            )
+            raise member.entry.error("pid", what)
 
 
 def check_joints(deck: Deck, bodies: Bodies, motions: list[PrescribedMotion]) -> None:

@@ -57,7 +57,10 @@ def _chosen(deck: Deck, every: Facets, entry: Entry, field: str, kind: int) -> N
     if kind == ONE_PART:
         deck.find(PART, pid=number, referred_by=(entry, field))
         return every.pid == number
-    return np.isin(every.pid, list(part_set(deck, entry, field)), invert=kind == EXEMPT)
+    parts = sorted(part_set(deck, entry, field))
+    if kind == PART_SET and (bare := sorted(set(parts) - set(every.pid.tolist()))):
+        raise entry.error(field, f"part {bare[0]} of the set has neither shells nor solids")
+    return np.isin(every.pid, parts, invert=kind == EXEMPT)
 
 
 def _segment_set(deck: Deck, model: Model, every: Facets, entry: Entry, field: str) -> Facets:

@@ -108,6 +108,7 @@ class MassScaling:
         s, mass, inertia = state, state.mass.copy(), state.inertia.copy()
         for block in short:
             self.add_mass(block)
+        np.copyto(s.lumped, s.mass, where=s.mass > 0.0)  # nodes of rigid bodies keep their shares
         self._slow(s.v, s.a, mass, s.mass, self.free[:, :3], self.model.inverse_mass)
         self._slow(s.omega, s.alpha, inertia, s.inertia, self.free[:, 3:], self.model.inverse_inertia)
 
