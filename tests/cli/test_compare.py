@@ -28,3 +28,10 @@ def test_a_file_that_is_no_run(here, vm):
     code, _, complaint = vm("compare", "a.json", "a.json")
     assert code == 4
     assert "not what `vm run --json` writes" in complaint
+
+
+def test_a_run_of_another_schema_is_refused(here, vm):
+    (here / "a.json").write_text('{"schema": 99, "version": "9", "cases": []}')
+    code, _, complaint = vm("compare", "a.json", "a.json")
+    assert code == 4
+    assert "a.json: schema 99; `vm run --json` writes 1 now" in complaint

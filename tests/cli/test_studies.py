@@ -65,16 +65,23 @@ def test_a_sweep_that_fails_ends_with_a_line_that_runs_the_simplest_such_point(s
     """A deck whose mass is right for the case's own data alone."""
     change(study, ('M      = "m"', 'M      = "sqrt(0.5*m)"'))
     assert vm("run", "VM-061", "--no-report")[0] == 0
-    code, printed, _ = vm("sweep", "VM-061", "-n", "2")
+    code, printed, _ = vm("sweep", "VM-061", "--cases", "cases", "-n", "2")
     assert code == 1
     (line,) = [line for line in printed.splitlines() if line.startswith("Out of tolerance: ")]
     again = line.partition("point: vm ")[2].split()
+    assert again[2:4] == ["--cases", "cases"]
     assert [word.partition("=")[0] for word in again if "=" in word] == ["m", "rho"]
     assert vm(*again, "--no-report")[0] == 1
 
 
 @pytest.mark.parametrize(
-    "arguments", [("converge", "VM-06*"), ("sweep", "VM-09"), ("sweep", "VM-061", "-n", "3", "--grid", "2")]
+    "arguments",
+    [
+        ("converge", "VM-06*"),
+        ("sweep", "VM-09"),
+        ("sweep", "VM-061", "-n", "3", "--grid", "2"),
+        ("sweep", "VM-061", "--seed", "-1"),
+    ],
 )
 def test_usage(ball, vm, arguments):
     ball()

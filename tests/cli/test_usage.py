@@ -1,3 +1,4 @@
+import json
 import subprocess
 import sys
 
@@ -96,3 +97,14 @@ def test_a_defect_is_3_and_tells_how_to_see_more(ball, vm, monkeypatch, capsys):
     assert "vm --debug list" in err
     assert main(["--debug", "list"]) == 3
     assert "Traceback" in capsys.readouterr().err
+
+
+def test_what_check_finds_is_written_for_machines_too(ball, vm, here):
+    folder = ball()
+    assert vm("check", "VM-061", "--json", "found.json")[0] == 0
+    (found,) = json.loads((here / "found.json").read_text())
+    assert found == {"case": "VM-061", "wrong": [], "doubtful": []}
+    (folder / "deck.k").write_text("*KEYWORD\n*END\n")
+    assert vm("check", "VM-061", "--json", "found.json")[0] == 4
+    (found,) = json.loads((here / "found.json").read_text())
+    assert "no *NODE in the deck" in found["wrong"][0]

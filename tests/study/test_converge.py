@@ -117,3 +117,14 @@ def test_a_case_that_plans_no_refinement_says_so():
     case = read(BALL.parent / "VM-182")
     with pytest.raises(CaseError, match=r"VM-182: has no \[converge\]"):
         levels(case)
+
+
+def test_what_has_no_order_is_not_called_exact(short):
+    wild = planned(short, orders={})
+    found = convergence(wild, measured(short, lambda h: (-1) ** round(1 / h) * h), "other")
+    assert {result.found.kind for result in found.results} <= {
+        Kind.OSCILLATES,
+        Kind.NOT_ASYMPTOTIC,
+        Kind.DIVERGES,
+    }
+    assert page.summary(found) == "no order"

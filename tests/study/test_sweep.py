@@ -116,3 +116,9 @@ def test_the_section_of_the_page(case):
 def test_a_case_that_declares_no_region_says_so():
     with pytest.raises(CaseError, match=r"VM-182: has no \[sweep\]"):
         points(read(BALL.parent / "VM-182"), 5, 0, None)
+
+
+def test_a_grid_that_nobody_could_run_is_refused(case):
+    assert len(points(case, None, 0, 3)[0]) <= 27
+    with pytest.raises(CaseError, match=r"VM-061: a grid of 400 values of 3 data has 6.4e\+07 points"):
+        points(case, None, 0, 400)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.case.decode import FILE
+from vmharness.case.digest import inputs
 from vmharness.case.error import CaseError
 from vmharness.case.format import CaseFile, Published, Result
 from vmharness.case.template import SUFFIX, render
@@ -70,6 +71,11 @@ class Case:
     def sha256(self) -> str:
         """Of case.toml as it lies in the folder."""
         return hashlib.sha256((self.folder / FILE).read_bytes()).hexdigest()
+
+    @property
+    def inputs_sha256(self) -> str:
+        """Of case.toml, deck and whatever else lies in the folder but prose and pictures."""
+        return inputs(self.folder)
 
     @property
     def published(self) -> list[Published]:

@@ -52,7 +52,7 @@ class Convergence:
     """All that `vm converge` finds out about a case."""
 
     case: str
-    case_sha256: str
+    case_sha256: str  # of its inputs
     solver: str
     refined: str
     size: str  # the formula

@@ -34,7 +34,7 @@ class Detection:
     """All that was planted in one case."""
 
     case: str
-    case_sha256: str
+    case_sha256: str  # of its inputs
     solver: str
     findings: list[Finding] = field(default_factory=list)
 

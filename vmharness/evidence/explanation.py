@@ -73,7 +73,7 @@ class Explanation:
     """All that `vm explain` finds out about a case."""
 
     case: str
-    case_sha256: str
+    case_sha256: str  # of its inputs
     solver: str
     results: list[Explained]
     columns: list[Column] = field(default_factory=list)  # published

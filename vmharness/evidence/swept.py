@@ -31,7 +31,7 @@ class Swept:
     """All that `vm sweep` finds out about a case."""
 
     case: str
-    case_sha256: str
+    case_sha256: str  # of its inputs
     solver: str
     how: str  # "Latin hypercube of 200 points, seed 0"
     ranges: dict[str, tuple[float, float]]  # in the unit of each datum

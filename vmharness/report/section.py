@@ -78,6 +78,6 @@ def _section(study: ModuleType, content: bytes, case: Case, drawn: bool) -> Sect
 
 
 def _is_old(content: bytes, case: Case) -> bool:
-    """The case has changed since the study, as far as its file shows."""
+    """The case or its deck has changed since the study."""
     known = msgspec.json.decode(content).get("case_sha256")
-    return known is not None and known != case.sha256
+    return known is not None and known != case.inputs_sha256

@@ -43,7 +43,7 @@ def convergence(case: Case, outcomes: Sequence[Measured], solver: str) -> Conver
     dimension = case.formulas["converge size"].dimension({**case.dimensions, "N": Unit("").dimension})
     return Convergence(
         case=case.id,
-        case_sha256=case.sha256,
+        case_sha256=case.inputs_sha256,
         solver=solver,
         refined=plan.refined,
         size=plan.size,

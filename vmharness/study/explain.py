@@ -57,7 +57,7 @@ def explanation(case: Case, outcomes: Mapping[str, Measured], solver: str) -> Ex
         open_ = [one.key for one in results if MESH not in [part.cause for part in one.parts]]
         if open_:
             notes.append(f"the mesh is not separated for {', '.join(open_)}: the sequence has no limit yet")
-    return Explanation(case.id, case.sha256, solver, results, notes=notes)
+    return Explanation(case.id, case.inputs_sha256, solver, results, notes=notes)
 
 
 def _explained(case: Case, key: str, outcomes: Mapping[str, Measured]) -> Explained:

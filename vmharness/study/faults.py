@@ -53,7 +53,7 @@ def detection(
         else one
         for one in found
     ]
-    return Detection(case.id, case.sha256, solver, found)
+    return Detection(case.id, case.inputs_sha256, solver, found)
 
 
 def _is_idle(case: Case, name: str, found: Sequence[Finding]) -> bool:

@@ -14,16 +14,23 @@ from vmharness.study.variant import Variant
 from vmharness.suite.settings import as_options, with_settings
 
 SIMPLER = "simpler points that might fail"
+MOST = 100_000  # points of a grid, before its constraints: more would run for days
 Gather = Callable[[Sequence[Variant], str], Sequence[Measured]]  # of variants, and what they are for
 
 
 def points(case: Case, count: int | None, seed: int, grid: int | None) -> tuple[list[Point], str]:
     """The points of the sweep, each datum in its unit, and in words how they were chosen.
 
-    A `grid` has so many values of each datum. Raises CaseError where no point meets the constraints.
+    A `grid` has so many values of each datum. Raises CaseError where no point meets the constraints, or a grid is of
+    more than MOST points.
     """
     plan = plan_of(case)
     if grid is not None:
+        if (size := grid ** len(plan.ranges)) > MOST:
+            raise CaseError(
+                f"{case.id}: a grid of {grid} values of {len(plan.ranges)} data has {size:.2g} points, "
+                f"which is more than {MOST}; -n takes a Latin hypercube of N points"
+            )
         found = [point for point in sample.grid(plan.ranges, grid) if _accepted(case, plan, point)]
         how = f"{len(found)} points of a grid of {grid} values a datum"
     else:
@@ -35,14 +42,19 @@ def points(case: Case, count: int | None, seed: int, grid: int | None) -> tuple[
     return found, how
 
 
-def swept(case: Case, found: Sequence[Point], how: str, gather: Gather, solver: str) -> Swept:
-    """The record of the points' outcomes, with the worst failing one shrunk; `gather` runs variants."""
+def swept(
+    case: Case, found: Sequence[Point], how: str, gather: Gather, solver: str, again: str = ""
+) -> Swept:
+    """The record of the points' outcomes, with the worst failing one shrunk; `gather` runs variants.
+
+    `again` is the command that runs the case alone.
+    """
     plan = plan_of(case)
     outcomes = measure(case, found, gather, "sweep")
     labels = {result.key: result.label for result in case.file.results}
     record = Swept(
         case=case.id,
-        case_sha256=case.sha256,
+        case_sha256=case.inputs_sha256,
         solver=solver,
         how=how,
         ranges=dict(plan.ranges),
@@ -54,7 +66,7 @@ def swept(case: Case, found: Sequence[Point], how: str, gather: Gather, solver: 
         unjudged={number: outcome.failure for number, outcome in enumerate(outcomes) if outcome.failure},
         failing=None,
     )
-    return replace(record, failing=_shrunk(case, record, found, gather)) if record.failed else record
+    return replace(record, failing=_shrunk(case, record, found, gather, again)) if record.failed else record
 
 
 def measure(case: Case, found: Sequence[Point], gather: Gather, what: str) -> list[Measured]:
@@ -114,7 +126,7 @@ def _worst(key: str, label: str, found: Sequence[Point], outcomes: Sequence[Meas
     return Worst(key, label, results[i].share, results[i].error, dict(found[i]), failed)
 
 
-def _shrunk(case: Case, record: Swept, found: Sequence[Point], gather: Gather) -> Failing:
+def _shrunk(case: Case, record: Swept, found: Sequence[Point], gather: Gather, command: str) -> Failing:
     """The worst failing point, made simpler as long as the same result fails."""
     worst = max(record.failed, key=lambda i: worst_share(record, i))
     key = max(record.shares, key=lambda key: _size(record.shares[key][worst]))
@@ -128,7 +140,7 @@ def _shrunk(case: Case, record: Swept, found: Sequence[Point], gather: Gather) -
 
     simpler = shrink(found[worst], {name: case.datum(name) for name in found[worst]}, fails)
     (last,) = measure(case, [simpler], gather, SIMPLER)
-    again = f"vm run {case.id} {as_options(settings(case, simpler))}"
+    again = f"{command or f'vm run {case.id}'} {as_options(settings(case, simpler))}"
     return Failing(dict(found[worst]), simpler, f"{key}: {last.results[key].reason}", again)
 
 

@@ -8,18 +8,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import vmharness
+from vmharness.case.digest import digest
 
 if TYPE_CHECKING:
     from vmharness.case import Case
 
-APART = {
-    "cli",
-    "evidence",
-    "report",
-    "suite",
-    "study",
-}  # folders of the package that no measured value depends on
-PROSE = {".md", ".svg", ".png"}
+APART = {"cli", "evidence", "report", "suite", "study"}  # folders that no measured value depends on, but for
+MEASURING = {"evidence/thinning.py", "study/measured.py"}  # which make the outcome of a run
 
 
 @dataclass(frozen=True)
@@ -57,25 +52,23 @@ def sources() -> str:
     from vmharness.explicit.cache import folder
 
     package = Path(vmharness.__file__).parent
-    paths = [path.relative_to(package) for path in package.rglob("*.py")]
-    kept = sorted(path for path in paths if path.parts[0] not in APART)
-    return _digest(package, kept) + folder().name
+    paths = (path.relative_to(package) for path in package.rglob("*.py"))
+    return digest(package, filter(counts, paths)) + folder().name
+
+
+def counts(path: Path) -> bool:
+    """Whether a measured value may depend on this source of the package.
+
+    >>> counts(Path("measure.py")), counts(Path("study/measured.py")), counts(Path("study/sweep.py"))
+    (True, True, False)
+    """
+    return path.parts[0] not in APART or path.as_posix() in MEASURING
 
 
 def _files(case: "Case") -> list[str]:
     """Hashes of the case's files, without prose and pictures, and of those elsewhere that its deck may include."""
-    paths = [path.relative_to(case.folder) for path in case.folder.rglob("*") if path.is_file()]
-    own = _digest(case.folder, sorted(path for path in paths if path.suffix not in PROSE))
     if not case.file.deck.include_outside:
-        return [own]
+        return [case.inputs_sha256]
     from vmharness.backends.builtin import read_deck
 
-    return [own, *read_deck(case).files.values()]
-
-
-def _digest(folder: Path, paths: list[Path]) -> str:
-    digest = hashlib.sha256()
-    for path in paths:
-        digest.update(f"{path.as_posix()}\0".encode())
-        digest.update((folder / path).read_bytes())
-    return digest.hexdigest()
+    return [case.inputs_sha256, *read_deck(case).files.values()]

@@ -393,3 +393,37 @@ def test_channels_say_what_there_is(model):
         ProbeError, match="no 'moment' of this discrete element; there are: force, elongation"
     ):
         probe(m, discrete=1, component="moment")
+
+
+BAR = """*PART
+bar
+3,3,3
+*SECTION_BEAM
+3,3
+1.0
+*MAT_ELASTIC
+3,0.5,400.0
+*ELEMENT_BEAM
+7,3,1,2
+"""  # k = 200, and 0.5 to each node
+
+
+@pytest.mark.parametrize("held", [True, False])
+@pytest.mark.parametrize("k", [1e-6, 100.0, 400.0, 1e4])
+def test_a_bar_and_a_spring_at_one_node_share_its_mass(model, held, k):
+    """Either alone would allow 2/sqrt(2 k/m), at which both together diverge; the true limit is that of the matrix."""
+    nodes = f"*NODE\n1,0,0,0,{7 if held else 5},7\n2,2.0,0,0,5,7\n*DEFINE_SD_ORIENTATION\n1,0,1.0\n"
+    spring = SPRING.format(k=k) + "*ELEMENT_DISCRETE\n1,1,2,0,1\n*INITIAL_VELOCITY_NODE\n2,1e-6\n"
+    made = model(nodes + spring + BAR, end=1e9, tssfac=1.0)
+    run = steps(made)
+    found = next(run).x[1, 0] and made.next_step()
+    stiffness = np.array([[200.0, -200.0], [-200.0, 200.0 + k]]) / 0.5
+    true = 2.0 / math.sqrt(stiffness[1, 1] if held else np.linalg.eigvalsh(stiffness)[-1])
+    own = min(2.0 / math.sqrt(2.0 * 200.0 / 0.5), 2.0 / math.sqrt(k / 0.5))
+    assert 0.7 * own <= found <= own
+    assert found <= true * (1.0 + 1e-12)
+
+
+def test_a_soft_spring_leaves_the_step_of_a_bar_alone():
+    pair, mass, taken = np.array([[0, 1]]), np.full(2, 0.5), np.full(2, 0.5 / 0.02**2)
+    assert stable_step(pair, np.full(2, 1e-3), np.zeros(2), mass, taken) == pytest.approx(0.02, rel=1e-5)

@@ -4,10 +4,11 @@ from pathlib import Path
 
 import click
 
+from vmharness.cli.options import FILE
 from vmharness.cli.say import complain, say
 from vmharness.cli.selection import selected, selecting
 from vmharness.suite import last_run
-from vmharness.suite.check import check
+from vmharness.suite.check import Review, check
 from vmharness.suite.outcome import EXIT_CODES, NOTHING_SELECTED, Status
 
 REPORTS = Path("reports")
@@ -15,7 +16,10 @@ REPORTS = Path("reports")
 
 @click.command("check")
 @selecting
-def command(selectors: tuple[str, ...], cases: Path | None, words: str, tags: tuple[str, ...]) -> int:
+@click.option("--json", type=FILE, metavar="FILE", help="Write what is found as JSON, too.")
+def command(
+    selectors: tuple[str, ...], cases: Path | None, words: str, tags: tuple[str, ...], json: Path | None
+) -> int:
     """Check cases: schema, units, formulas, deck, channels, tolerances; run nothing.
 
     Tolerances are held against the errors of the last run of which reports/ has a record.
@@ -26,13 +30,26 @@ def command(selectors: tuple[str, ...], cases: Path | None, words: str, tags: tu
     if not found:
         complain("nothing selected")
         return NOTHING_SELECTED
-    sound, errors = not unknown, last_run.errors(REPORTS)
+    errors, reviews = last_run.errors(REPORTS), {}
     for case in found:
-        review = check(case.folder, errors.get(case.id))
+        review = reviews[case.id] = check(case.folder, errors.get(case.id))
         say(f"{case.id}: {'wrong' if review.wrong else 'ok'}")
         for sentence in review.wrong:
             say(f"  {sentence}")
         for sentence in review.doubtful:
             say(f"  doubtful: {sentence}")
-        sound = sound and not review.wrong
+    if json is not None:
+        _write(json, reviews)
+    sound = not unknown and not any(review.wrong for review in reviews.values())
     return 0 if sound else EXIT_CODES[Status.BROKEN]
+
+
+def _write(path: Path, reviews: dict[str, Review]) -> None:
+    import msgspec
+
+    from vmharness.report import atomic
+
+    found = [
+        {"case": id, "wrong": review.wrong, "doubtful": review.doubtful} for id, review in reviews.items()
+    ]
+    atomic.write(path, msgspec.json.format(msgspec.json.encode(found), indent=1).decode() + "\n")

@@ -42,11 +42,15 @@ def _read(path: Path) -> "Run":
     import msgspec
 
     from vmharness.evidence.two_runs import Run
+    from vmharness.report.files.json import SCHEMA
 
     try:
-        return msgspec.json.decode(path.read_bytes(), type=Run)
+        run = msgspec.json.decode(path.read_bytes(), type=Run)
     except (OSError, msgspec.MsgspecError) as error:
         raise click.UsageError(f"{path}: not what `vm run --json` writes: {error}") from None
+    if run.schema != SCHEMA:
+        raise click.UsageError(f"{path}: schema {run.schema}; `vm run --json` writes {SCHEMA} now")
+    return run
 
 
 def _show(runs: list["Run"], found: list["Pair"], every: bool) -> None:

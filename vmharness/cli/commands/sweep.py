@@ -4,19 +4,23 @@ from pathlib import Path
 
 import click
 
+from vmharness.cli.again import again
 from vmharness.cli.gathering import gathered, write_record
 from vmharness.cli.one import one
 from vmharness.cli.options import How, studying
 from vmharness.cli.say import complain, say, say_rows
 from vmharness.cli.selection import CASES
 from vmharness.suite.outcome import EXIT_CODES, Status
+from vmharness.suite.select import Entry
 
 
 @click.command("sweep")
 @click.argument("selector", metavar="ID")
 @CASES
 @click.option("-n", "--points", type=click.IntRange(1), metavar="N", help="Points of a Latin hypercube.")
-@click.option("--seed", type=int, default=0, metavar="N", help="Of the hypercube.  [default: 0]")
+@click.option(
+    "--seed", type=click.IntRange(0), default=0, metavar="N", help="Of the hypercube.  [default: 0]"
+)
 @click.option("--grid", type=click.IntRange(2), metavar="N", help="A grid of N values a datum instead.")
 @studying
 def command(
@@ -46,6 +50,7 @@ def command(
     except CaseError as error:
         complain(str(error))
         return EXIT_CODES[Status.BROKEN]
+    options = {"selectors": [selector], "cases": cases, "solver": how.solver, "timeout": how.timeout}
     with pool(how.jobs, how.solver) as workers:
         found = sweep.swept(
             case,
@@ -53,6 +58,7 @@ def command(
             words,
             lambda variants, what: gathered(variants, how, f"{case.id}: {what}", workers=workers),
             how.solver,
+            again([Entry(case.folder)], options)[case.id],
         )
     for table in tables(found):
         say_rows(table)

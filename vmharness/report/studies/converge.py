@@ -56,7 +56,8 @@ def summary(found: Convergence) -> str:
     if any(result.agrees is False for result in promised):
         return "not of the promised order"
     if not orders:
-        return "exact"
+        exact = all(result.found.kind is Kind.EXACT for result in found.results)
+        return "exact" if exact else "no order"
     low, high = f"{min(orders):.1f}", f"{max(orders):.1f}"
     return f"order {low}" if low == high else f"order {low} to {high}"
 

@@ -54,6 +54,7 @@ class Discrete:
         self.about = dro == ABOUT
         self.demand = demand
         self.bearing: Array | None = None  # (n,) mass or inertia, where rigid bodies have the nodes'
+        self.taken = np.zeros(demand.shape[1])  # (n,) mass or inertia over h^2 that other elements need
         self._constants = constants
         self._history = np.zeros(law.HISTORY["spring"] * eid.size)
         self._limit = np.inf
@@ -70,9 +71,10 @@ class Discrete:
     def add(self, state: State) -> None:
         """Add forces or moments at t_n, and the work of the step that led there."""
         if state.cycle == 0:
-            mass = state.inertia if self.about else state.mass
-            mass = mass if self.bearing is None else self.bearing
-            self._limit = stable_step(self.nodes, self.demand[0], self.demand[1], mass)
+            own = state.inertia if self.about else state.mass
+            mass = own if self.bearing is None else self.bearing
+            taken = np.where(mass == own, self.taken, 0.0)
+            self._limit = stable_step(self.nodes, self.demand[0], self.demand[1], mass, taken)
         self._step(
             state.x,
             state.v,
