@@ -70,7 +70,7 @@ def test_a_difference_is_explained_and_kept_for_the_page(ball, vm, here):
     assert parts["numbers of the deck"] == pytest.approx(-5.3e-6, rel=0.02)
     assert vm("run", "VM-061")[0] == 0
     page = (here / "reports" / "VM-061" / "README.md").read_text()
-    assert "## Where the difference comes from\n" in page
+    assert "## The difference, cause by cause\n" in page
     assert "LS-DYNA: of all readings tried, states 0.001 s apart" in page
     assert (here / "reports" / "VM-061" / "explained.svg").read_text().startswith("<svg")
 

@@ -50,12 +50,29 @@ def test_faults_are_on_the_page_and_in_the_index(good, planted, tmp_path):
         assert "No case has anything of friction." in index
 
 
-def test_the_matrix_has_a_row_a_fault_and_a_column_a_case(good, planted):
-    found = faults.together([planted, Detection("B", "0", "builtin", [planted.findings[3]])])
-    (table,) = found.tables
-    assert list(table.head) == ["Fault", good.case.id, "B"]
-    assert table.rows == [["Times are late", "✗ 0.47 ×", "✗ 0.47 ×"], ["Friction pulls", "–", "–"]]
-    assert found.summary == "0 of 2"
+def test_a_row_of_the_index_names_the_cases_that_notice_a_fault_the_farthest_off_first(good, planted):
+    def noticed(how, share):
+        return Finding("lag", "Times are late", "reading", how, "t", share)
+
+    others = [
+        Detection("B", "0", "builtin", [noticed(Noticed.CAUGHT, 2.0)]),
+        Detection("C", "0", "builtin", [noticed(Noticed.CAUGHT, 70.0)]),
+        Detection("D", "0", "builtin", [noticed(Noticed.UNSEEN, 0.0)]),
+    ]
+    (table,) = faults.together([planted, *others]).tables
+    assert list(table.head) == ["Fault", "Caught by", "Farthest off, in tolerances", "Changes without notice"]
+    assert table.rows == [
+        ["Times are late", "C, B", "70 ×", good.case.id],
+        ["Friction pulls", "–", "–", "–"],
+    ]
+    refused = Detection("E", "0", "builtin", [noticed(Noticed.CAUGHT, None)])
+    found = faults.together([planted, *others, refused])
+    assert found.tables[0].rows[0][1:3] == ["E, C, B", "no result"]
+    assert found.summary == "1 of 2"
+
+
+def test_the_score_of_the_manual(planted):
+    assert faults.together([planted]).summary == "0 of 2"
 
 
 def test_an_index_without_records_has_no_matrix(good, tmp_path):

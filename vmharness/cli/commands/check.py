@@ -20,9 +20,10 @@ REPORTS = Path("reports")
 def command(
     selectors: tuple[str, ...], cases: Path | None, words: str, tags: tuple[str, ...], json: Path | None
 ) -> int:
-    """Check cases: schema, units, formulas, deck, channels, tolerances; run nothing.
+    """Check case files, decks and tolerances; run nothing.
 
-    Tolerances are held against the errors of the last run of which reports/ has a record.
+    The schema, units, formulas, channels and faults are checked, too. Tolerances are held against the errors of the
+    last run of which reports/ has a record.
 
     SELECT is an id, a pattern such as 'VM-0*', or the path of a case folder.
     """

@@ -21,9 +21,10 @@ RUN = click.Path(exists=True, dir_okay=False, path_type=Path)
 @click.option("--all", "every", is_flag=True, help="Show results that are the same to the last digit, too.")
 @click.option("--json", type=FILE, metavar="FILE", help="Write the comparison as JSON, too.")
 def command(first: Path, second: Path, every: bool, json: Path | None) -> int:
-    """Compare two runs, the files that `vm run --json` wrote: other solvers, versions, machines.
+    """Compare two runs, the files that `vm run --json` wrote.
 
-    It fails where a result of A is missing in B, or has a worse verdict there.
+    They may differ in solver, version or machine. It fails where a result of A is missing in B, or has a worse
+    verdict there.
     """
     import msgspec
 

@@ -21,7 +21,10 @@ if TYPE_CHECKING:
 @CASES
 @studying
 def command(selector: str, cases: Path | None, how: How, out: Path, json: Path | None) -> int:
-    """Refine time step or mesh as the case says: observed order, extrapolated value, its uncertainty (GCI).
+    """Refine time step or mesh: observed order, uncertainty.
+
+    The case says what is refined. Found are the order of accuracy, the extrapolated value and how far it is open
+    (GCI).
 
     ID is an id, or the path of a case folder.
     """

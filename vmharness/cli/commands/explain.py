@@ -23,9 +23,12 @@ if TYPE_CHECKING:
 @CASES
 @studying
 def command(selector: str, cases: Path | None, how: How, out: Path, json: Path | None) -> int:
-    """Split value less target of each result: time step, sampling, mesh, numbers of the deck, and what is left.
+    """Split value less target of each result, cause by cause.
 
-    ID is an id, or the path of a case folder. For published columns: which reading of states gives their digits.
+    The causes are time step, sampling, mesh, penalty, numbers of the deck, and what is left. For published
+    columns: which reading of states gives their digits.
+
+    ID is an id, or the path of a case folder.
     """
     from vmharness.case import CaseError
     from vmharness.report.studies.explain import remarks, tables

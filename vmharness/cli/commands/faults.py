@@ -29,7 +29,9 @@ def command(
     out: Path,
     json: Path | None,
 ) -> int:
-    """Plant faults in deck, solver and reading, one at a time, and see which results notice.
+    """Plant faults, and see which results notice.
+
+    They are faults of deck, solver and reading, one at a time.
 
     SELECT is an id, a pattern such as 'VM-0*', or the path of a case folder; without any, all cases are studied.
     """

@@ -11,9 +11,10 @@ from vmharness.suite.outcome import NOTHING_SELECTED
 @click.command("keywords")
 @click.argument("words", nargs=-1, metavar="[WORD]...")
 def command(words: tuple[str, ...]) -> int:
-    """List keywords; with WORDs, those whose names contain one, with their cards.
+    """List the supported keywords, or the cards of some.
 
-    A card shows each field in capitals, with its default and, where not all values are supported, those that are.
+    With WORDs, only keywords whose names contain one of them are listed, with their cards. A card shows each field
+    in capitals, with its default and, where not all values are supported, those that are.
     """
     from vmharness.backends.builtin import FOLDERS
     from vmharness.deck import vocabulary

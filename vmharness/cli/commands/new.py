@@ -19,7 +19,9 @@ from vmharness.suite.outcome import EXIT_CODES, Status
     help="Folder of case folders.  [default: ./cases]",
 )
 def command(id: str, cases: Path) -> int:
-    """Make a case folder that runs, a mass in free fall, to put another problem in its place.
+    """Make a case folder to fill in.
+
+    It runs as it is: a mass in free fall, to put another problem in its place.
 
     ID is its name: letters, digits, dots and hyphens.
     """

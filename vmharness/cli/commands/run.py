@@ -38,7 +38,9 @@ def command(
     out: Path | None,
     no_report: bool,
 ) -> int:
-    """Run cases through a solver, compare with theory, write the manual, pass or fail.
+    """Run cases, compare with theory, write the manual.
+
+    A case passes if every result lies within its tolerance.
 
     SELECT is an id, a pattern such as 'VM-0*', or the path of a case folder; without any, all cases are run.
     """

@@ -18,7 +18,9 @@ if TYPE_CHECKING:
 @click.argument("selector", metavar="ID")
 @CASES
 def command(selector: str, cases: Path | None) -> int:
-    """Show a case: data, theory with values, deck, results with tolerances, faults.
+    """Show a case: data, theory, deck, tolerances, faults.
+
+    The theory is shown with its values.
 
     ID is an id, or the path of a case folder.
     """

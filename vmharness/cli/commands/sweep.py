@@ -33,7 +33,9 @@ def command(
     out: Path,
     json: Path | None,
 ) -> int:
-    """Run the case with other data, all over the region that it declares; shrink a point that fails.
+    """Run a case with other data, all over a region of them.
+
+    The case declares the region; a point that fails is made simpler for as long as it fails.
 
     ID is an id, or the path of a case folder.
     """

@@ -111,4 +111,4 @@ def _order(result: Refined) -> str:
 
 
 def _digits(value: float | None) -> str:
-    return number.DASH if value is None else f"{value:.7g}"
+    return number.DASH if value is None else f"{value:#.7g}".rstrip(".")

@@ -1,4 +1,4 @@
-"""Where the difference comes from: each result less its target, cause by cause; published columns likewise."""
+"""The difference: each result less its target, cause by cause; published columns likewise."""
 
 from collections.abc import Sequence
 
@@ -22,7 +22,7 @@ def section(content: bytes, case: Case) -> Section:
     """The section for the record of `vm explain`."""
     found = msgspec.json.decode(content, type=Explanation)
     return Section(
-        "Where the difference comes from",
+        "The difference, cause by cause",
         summary(found),
         text=[HOW, *(text for column in found.columns for text in _column_text(column, case))],
         tables=tables(found),

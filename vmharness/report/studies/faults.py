@@ -1,7 +1,8 @@
 """Faults: what a case's results noticed of all that was planted."""
 
 import contextlib
-from collections.abc import Sequence
+import math
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import msgspec
@@ -12,6 +13,7 @@ from vmharness.report.number import DASH, short
 from vmharness.report.section import FOLDER, Section, Table
 
 FILE = "faults.json"
+SHOWN = 5  # cases that a row names
 HEADS = {"of the other sign": "other sign", "1000 times as large": "1000 ×"}
 KINDS = {
     "deck": "in the deck",
@@ -78,20 +80,39 @@ def together(detections: Sequence[Detection]) -> Section:
     found = coverage(detections)
     text = [
         f"Faults are planted in the solver, one at a time. Of {len(found.matrix)}, {found.caught} are caught by a "
-        "case. ✓ caught, by so many tolerances; ✗ the run changes, and passes; – nothing of it in the case."
+        "case: a result leaves its tolerance, or the solver refuses to go on. The cases are named by how far off "
+        "they see it, the farthest first."
     ]
-    head = ["Fault", *(detection.case for detection in detections)]
-    rows = [
-        [next(iter(cases.values())).text, *(cell(cases.get(detection.case)) for detection in detections)]
-        for cases in found.matrix.values()
-    ]
+    head = ["Fault", "Caught by", "Farthest off, in tolerances", "Changes without notice"]
+    rows = [_together(cases) for cases in found.matrix.values()]
     return Section(
         "What the cases notice",
         f"{found.caught} of {len(found.matrix)}",
         text,
-        [Table(head, rows)],
+        [Table(head, rows, numbers=len(head))],
         remarks=to_do(found),
     )
+
+
+def _together(cases: Mapping[str, Finding]) -> list[str]:
+    """What became of one fault in all cases."""
+    shares = {case: math.inf if finding.share is None else finding.share for case, finding in cases.items()}
+    far = sorted(cases, key=shares.__getitem__, reverse=True)
+    caught = [case for case in far if cases[case].noticed is Noticed.CAUGHT]
+    missed = [case for case in far if cases[case].noticed is Noticed.MISSED]
+    largest = times(cases[caught[0]].share) if caught else DASH
+    return [next(iter(cases.values())).text, _some(caught), largest, _some(missed)]
+
+
+def _some(cases: Sequence[str]) -> str:
+    """The first few of many.
+
+    >>> _some(["D-22", "D-23"]), _some(["A", "B", "C", "D", "E", "F", "G"]), _some([])
+    ('D-22, D-23', 'A, B, C, D and 3 more', '–')
+    """
+    if len(cases) <= SHOWN:
+        return ", ".join(cases) or DASH
+    return f"{', '.join(cases[: SHOWN - 1])} and {len(cases) - SHOWN + 1} more"
 
 
 def to_do(found: Coverage) -> list[str]:

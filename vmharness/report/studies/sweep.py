@@ -7,6 +7,8 @@ from vmharness.evidence.swept import Swept, Worst, worst_share
 from vmharness.report import number
 from vmharness.report.section import Figure, Section, Table
 
+WORST = "For each result, the point at which it uses most of its tolerance:"
+
 
 def section(content: bytes, case: Case) -> Section:
     """The section for the record of `vm sweep`."""
@@ -14,7 +16,7 @@ def section(content: bytes, case: Case) -> Section:
     return Section(
         "Sweep over the given data",
         summary(found),
-        text=[plan(found), verdict(found)],
+        text=[plan(found), f"{verdict(found)} {WORST}"],
         tables=tables(found),
         remarks=remarks(found),
     )
