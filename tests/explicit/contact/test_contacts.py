@@ -159,7 +159,7 @@ def test_channels_of_a_contact_that_are_not_there_are_refused(deck):
 def test_a_node_without_an_element_touches_with_no_area(wall_and):
     ball = "*NODE\n5,0,0,0.0\n*ELEMENT_MASS\n105,5,1.0\n*SET_NODE_LIST\n2\n5\n*INITIAL_VELOCITY\n\n0,0,-1\n"
     model = wall_and(ball + "*CONTACT_NODES_TO_SURFACE\n2,1,4,3\n\n\n", end=0.01)
-    nodes, area = (probe.contact(model, 1, what) for what in ("nodes", "area"))
+    nodes, area = (probe(model, contact=1, component=what) for what in ("nodes", "area"))
     *_, _ = steps(model)
     assert (nodes(), area()) == (1, 0.0)
 
