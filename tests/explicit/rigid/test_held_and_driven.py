@@ -112,10 +112,6 @@ def test_damping_stops_a_spin_exponentially(space, bodies, free):
             "*BOUNDARY_PRESCRIBED_MOTION_NODE\n3,2,0,1\n",
             r"its node 3 is ruled by prescribed motion 1; .* moved by \*BOUNDARY_PRESCRIBED_MOTION_RIGID",
         ),
-        (
-            "*RIGIDWALL_PLANAR\n0\n0,0,-1,0,0,0\n",
-            "its node 1 is ruled by rigid wall 1; rigid walls stop no rigid bodies: leave its nodes out by NSIDEX",
-        ),
     ],
 )
 def test_what_cannot_be_held_or_driven_is_refused(space, held_block, text, message):
