@@ -1,4 +1,4 @@
-"""Joints turn the second body the wrong way."""
+"""The forces of joints turn their bodies the wrong way."""
 
 KIND = "physics"
 MODULE = "vmharness.explicit.rigid.couple"
