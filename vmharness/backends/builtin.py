@@ -15,6 +15,7 @@ from vmharness.deck import Deck, DeckError, read, vocabulary, write_long
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model import PARTS, Model, build
+from vmharness.explicit.penalty.released import released
 from vmharness.explicit.probe import Probe, ProbeError
 from vmharness.explicit.probes import probe
 from vmharness.history import History
@@ -110,4 +111,4 @@ def _facts(model: Model, history: History) -> dict[str, str]:
     facts = {"Nodes": str(model.node_count), "Cycles": str(model.state.cycle)}
     if steps_taken.size:
         facts["Time step"] = f"{steps_taken.min():.6g} to {steps_taken.max():.6g}, {model.controlling()}"
-    return facts | model.facts
+    return facts | model.facts | released(model)

@@ -70,8 +70,11 @@ def _probes(deck: "Deck", model: "Model") -> "dict[str, Probe]":
 
 
 def _say(deck: "Deck", model: "Model", history: "History", seconds: float) -> None:
+    from vmharness.explicit.penalty.released import released
+
     say(f"{deck.path.name}: {deck.title}")
-    for sentence in (*deck.notes, *(f"{name}: {fact}" for name, fact in model.facts.items())):
+    facts = model.facts | released(model)
+    for sentence in (*deck.notes, *(f"{name}: {fact}" for name, fact in facts.items())):
         say(f"  {sentence}")
     say(f"  {model.ids.size} nodes, {model.state.cycle} cycles to t = {model.state.t:.6g} in {seconds:.2f} s")
     table = plain_table("Energy", "at the beginning", "largest", "at the end")

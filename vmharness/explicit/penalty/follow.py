@@ -74,7 +74,10 @@ def follow(
                 return False
         n = scale(side, n)
     write(touch, s, side, xi, eta, n, height - half_thickness(node, segment))
-    return bool(touch["gap"] < 0.0 and -touch["gap"] <= segment["release"])
+    if -touch["gap"] > segment["release"]:
+        node["released"] = True
+        return False
+    return bool(touch["gap"] < 0.0)
 
 
 @inlined

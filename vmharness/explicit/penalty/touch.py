@@ -25,6 +25,7 @@ NODE = np.dtype(
             np.float64,
         ),  # nothing new is touched before surfaces have moved so far since they were sorted
         ("force", np.float64, 3),  # sum over its touches
+        ("released", np.bool_),  # once at least, for its depth
         ("settled", np.bool_),  # all of these have stayed well within their segments
     ],
     align=True,
