@@ -10,7 +10,7 @@ import pytest
 from vmharness.case import CaseError, read
 from vmharness.evidence import plant
 from vmharness.evidence.explanation import SAMPLING, Part, explained, halved
-from vmharness.study.explain import NUMBERS, PENALTY, SOUND, TIME_STEP, explanation, variants
+from vmharness.study.explain import NUMBERS, PENALTY, SOUND, STIFF, TIME_STEP, explanation, variants
 from vmharness.study.gather import gather
 from vmharness.study.measured import Measured
 
@@ -93,3 +93,18 @@ def test_parts_add_up_to_the_difference():
     assert one.unexplained == Part("unexplained", pytest.approx(0.1), 0.01, "difference")
     assert one.difference == pytest.approx(0.25)
     assert np.isclose(sum(part.value for part in one.parts), one.difference)
+
+
+@pytest.mark.parametrize(
+    ("id", "penalty"),
+    [
+        ("D-18", False),
+        ("D-20", False),
+        ("VM-061", False),
+        ("D-28-shell", False),
+        ("D-40", True),
+    ],
+)
+def test_a_stiffness_that_the_problem_gives_is_no_penalty(id, penalty):
+    """D-18 has it in the deck by an expression of K; the bars of D-40 meet by a penalty that no theory knows."""
+    assert (STIFF in variants(read(CASES / id))) == penalty

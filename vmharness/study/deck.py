@@ -6,6 +6,7 @@ from dataclasses import replace
 from vmharness.backends.builtin import read_deck
 from vmharness.case import Case
 from vmharness.deck import Deck, Entry, write_long
+from vmharness.deck.keywords.control_contact import CONTROL_CONTACT
 from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
 
 
@@ -39,6 +40,15 @@ def with_stiffer_contacts(case: Case, factor: float) -> Case:
         return replace(entry, values={**entry.values, **scales})
 
     return with_entries(case, lambda deck: map(stiffer, deck.entries))
+
+
+def contact_scales(case: Case) -> list[float]:
+    """What scales the stiffness of its contacts: SLSFAC, then SFSA and SFSB of each; the first alone without any."""
+    deck = read_deck(case)
+    control = deck.first(CONTROL_CONTACT)
+    contacts = [entry for entry in deck.entries if entry.keyword.name.startswith("CONTACT_")]
+    own = [entry.values[name] for entry in contacts for name in ("sfsa", "sfsb") if name in entry.values]
+    return [control.slsfac if control else 0.0, *own]
 
 
 def _scaled(deck: Deck, factor: float) -> list[Entry]:

@@ -3,14 +3,13 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
-from vmharness.backends.builtin import read_deck
 from vmharness.case import Case, CaseError
 from vmharness.deck import DeckError
 from vmharness.evidence.explanation import Explained, Explanation, Part, explained, halved, sampled
 from vmharness.evidence.faults import RUN_LENGTH
 from vmharness.evidence.richardson import Kind, Richardson, richardson
 from vmharness.study import converge
-from vmharness.study.deck import with_step, with_stiffer_contacts
+from vmharness.study.deck import contact_scales, with_step, with_stiffer_contacts
 from vmharness.study.measured import Measured
 from vmharness.study.variant import Variant
 
@@ -118,10 +117,20 @@ def _mesh(
 
 
 def _has_penalty(case: Case) -> bool:
-    """The deck has contacts whose stiffness is not of the problem, but that of a penalty."""
-    if any(name.upper() == "SLSFAC" for name in case.file.deck.parameters):
+    """The deck has contacts whose stiffness is not of the problem, but that of a penalty.
+
+    It is of the problem if data on which a target depends move a scale factor of the stiffness.
+    """
+    scales = contact_scales(case)
+    if len(scales) < 2:
         return False
-    return any(entry.keyword.name.startswith("CONTACT_") for entry in read_deck(case).entries)
+    data = frozenset[str]().union(*(case.origins(f"target {result.key}") for result in case.file.results))
+    for name in case.file.deck.parameters:
+        if data & case.origins(f"parameter {name}"):
+            other = {**case.deck_parameters(), name: 1.01 * case.evaluate(f"parameter {name}")}
+            if contact_scales(replace(case, planted=other)) != scales:
+                return False
+    return True
 
 
 def _meshes(case: Case) -> list[Variant]:
