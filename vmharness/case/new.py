@@ -8,7 +8,7 @@ BLANK = Path(__file__).parent / "blank"
 
 
 def new(folder: Path) -> list[Path]:
-    """Write case.toml, deck.k and README.md of a case that runs, but has neither title, reference nor reasons yet.
+    """Write case.toml, deck.k and README.md of a case that lacks title, reference and reasons, and runs with them.
 
     The case's id is the folder's name. Raises CaseError where the folder exists, OSError where it cannot be made.
     """

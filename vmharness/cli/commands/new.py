@@ -21,7 +21,8 @@ from vmharness.suite.outcome import EXIT_CODES, Status
 def command(id: str, cases: Path) -> int:
     """Make a case folder to fill in.
 
-    It runs as it is: a mass in free fall, to put another problem in its place.
+    It holds a mass in free fall, to put another problem in its place; it runs once title, reference and reasons are
+    filled in.
 
     ID is its name: letters, digits, dots and hyphens.
     """

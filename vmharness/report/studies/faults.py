@@ -80,8 +80,8 @@ def together(detections: Sequence[Detection]) -> Section:
     found = coverage(detections)
     text = [
         f"Faults are planted in the solver, one at a time. Of {len(found.matrix)}, {found.caught} are caught by a "
-        "case: a result leaves its tolerance, or the solver refuses to go on. The cases are named by how far off "
-        "they see it, the farthest first."
+        "case: a result leaves its tolerance, or there is none, for the solver refuses to go on or an event never "
+        "comes. The case that sees it farthest off is named first."
     ]
     head = ["Fault", "Caught by", "Farthest off, in tolerances", "Changes without notice"]
     rows = [_together(cases) for cases in found.matrix.values()]
