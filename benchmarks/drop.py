@@ -34,13 +34,13 @@ HEAD = """*SECTION_SHELL
          1         2    0.8333         3
        0.4
 *MAT_RIGID
-1,1.0,2.4e5,0.2
+1,1.0,9.6e5,0.2
 1,7,7
 
 *SECTION_SOLID
 2,2
 *MAT_ELASTIC
-2,1.0,2.4e5,0.2
+2,1.0,9.6e5,0.2
 *PART
 blocks
 2,2,2

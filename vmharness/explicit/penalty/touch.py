@@ -11,7 +11,7 @@ from vmharness.explicit.penalty.tracked import Tracked
 Records: TypeAlias = NDArray[np.void]
 Record: TypeAlias = Any  # one of them: fields by name
 
-MOST = 3  # a node touches at most so many places at once: the walls of a corner
+MOST = 6  # a node touches at most so many places at once: corners of blocks that meet in a pile
 
 NODE = np.dtype(
     [
