@@ -62,6 +62,7 @@ def _theory(case: "Case") -> None:
 def _results(case: "Case") -> None:
     from vmharness.evidence.tolerance import allowed, budget
     from vmharness.formula import Unit
+    from vmharness.report.number import fraction
 
     table = plain_table("Result", "Target", "Unit", "Tolerance (%)", "Budget (%)", "Event", "Channel")
     for result in case.file.results:
@@ -71,8 +72,8 @@ def _results(case: "Case") -> None:
             result.key,
             f"{target:.7g}",
             result.unit,
-            f"{100.0 * allowed(case, result.key):.3g}",
-            "–" if expected is None else f"{100.0 * expected:.3g}",
+            fraction(allowed(case, result.key), target, result.unit),
+            fraction(expected, target, result.unit),
             case.file.events[result.event].title,
             result.channel,
         )
