@@ -91,6 +91,8 @@ def _faults(case: "Case") -> None:
 def _deck(case: "Case") -> None:
     from collections import Counter
 
+    import numpy as np
+
     from vmharness.backends.builtin import read_deck
     from vmharness.case import CaseError
     from vmharness.deck import DeckError
@@ -102,8 +104,8 @@ def _deck(case: "Case") -> None:
         return
     rows: Counter[str] = Counter()
     for entry in deck.entries:
-        if "nid" in entry.values or "eid" in entry.values:
-            rows[entry.keyword.name] += len(entry.values["eid" if "eid" in entry.values else "nid"])
+        if entry.keyword.name == "NODE" or entry.keyword.name.startswith("ELEMENT_"):
+            rows[entry.keyword.name] += np.size(entry.values["eid" if "eid" in entry.values else "nid"])
     keywords = Counter(entry.keyword.name for entry in deck.entries)
     say(f"{case.deck_name}: {deck.title}")
     say("parameters: " + ", ".join(f"{name} = {value}" for name, value in deck.parameters.items()))
