@@ -1,6 +1,7 @@
 import json
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -108,3 +109,13 @@ def test_what_check_finds_is_written_for_machines_too(ball, vm, here):
     assert vm("check", "VM-061", "--json", "found.json")[0] == 4
     (found,) = json.loads((here / "found.json").read_text())
     assert "no *NODE in the deck" in found["wrong"][0]
+
+
+CASES = Path(__file__).parents[2] / "cases"
+
+
+@pytest.mark.parametrize("id", sorted(path.parent.name for path in CASES.glob("*/case.toml")))
+def test_every_case_of_the_manual_is_shown(vm, id):
+    code, out, err = vm("show", id, "--cases", str(CASES))
+    assert (code, err) == (0, "")
+    assert "model: " in out

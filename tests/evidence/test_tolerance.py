@@ -80,3 +80,22 @@ def test_an_error_that_its_budget_does_not_explain_is_said():
     assert review_measured(case, {"t_peak": -0.99 * expected, "z_peak": 0.0}) == []
     (sentence,) = review_measured(case, {"t_peak": -1.01 * expected})
     assert re.fullmatch(r"t_peak: the measured error, \S+, exceeds the error budget, \S+", sentence)
+
+
+def test_the_budget_of_a_target_of_zero_is_in_the_unit_of_the_result(changed):
+    zero = changed(
+        r'(key\s*= "z_impact".*?target\s*= )"z_impact"(.*?)\{ relative = \S+,',
+        r'\1"h - h"\2{ absolute = 1e-4,',
+    )
+    assert zero.target("z_impact") == 0.0
+    expected = budget(zero, "z_impact")
+    assert allowed(zero, "z_impact") == pytest.approx(1e-4, rel=1e-12)
+    assert re.fullmatch(
+        f"z_impact: the tolerance, 0.0001, is over 10 times the budget, {expected:.2g}",
+        *of(review(zero)[1], "z_impact"),
+    )
+    tight = changed(
+        r'(key\s*= "z_impact".*?target\s*= )"z_impact"(.*?)\{ relative = \S+,',
+        r'\1"h - h"\2{ absolute = 1e-9,',
+    )
+    assert of(review(tight)[0], "z_impact")

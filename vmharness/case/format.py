@@ -130,7 +130,12 @@ class Budget(Table, frozen=True):
 
     source: Text
     because: Text
-    relative: dict[Name, Annotated[float | Formula, Meta(description="By key of the result")]]
+    relative: dict[
+        Name,
+        Annotated[
+            float | Formula, Meta(description="By key of the result; in its unit where its target is zero")
+        ],
+    ]
 
 
 class Published(Table, frozen=True):

@@ -19,7 +19,10 @@ def budget_lines(case: Case) -> list[tuple[Budget, Mapping[str, float]]]:
 
 
 def budget(case: Case, key: str) -> float | None:
-    """The sum of the lines of the error budget for a result, as a fraction of its target; None without a line."""
+    """The sum of the lines of the error budget for a result; None without a line.
+
+    As a fraction of its target; where that is zero, as a difference in the result's unit.
+    """
     fractions = [values[key] for _, values in budget_lines(case) if key in values]
     return sum(fractions) if fractions else None
 
@@ -31,9 +34,9 @@ def allowed_difference(case: Case, key: str) -> float:
 
 
 def allowed(case: Case, key: str) -> float:
-    """The tolerance of a result, as a fraction of its target; infinite where the target is zero."""
-    target = case.target(key)
-    return allowed_difference(case, key) / abs(target) if target else float("inf")
+    """The tolerance of a result, as a fraction of its target; where that is zero, in the result's unit."""
+    scale = abs(case.target(key)) or case.units.factor(Unit(case.result(key).unit))
+    return allowed_difference(case, key) / scale
 
 
 def review(case: Case) -> tuple[list[str], list[str]]:
@@ -48,7 +51,7 @@ def review(case: Case) -> tuple[list[str], list[str]]:
             loose.append(f"{key}: no error budget says why the tolerance is {accepted:.2g}")
         elif expected > accepted:
             tight.append(f"{key}: the error budget, {expected:.2g}, exceeds the tolerance, {accepted:.2g}")
-        elif accepted > LOOSE * expected and target_is_not_zero(case, key):
+        elif accepted > LOOSE * expected:
             loose.append(
                 f"{key}: the tolerance, {accepted:.2g}, is over {LOOSE:g} times the budget, {expected:.2g}"
             )
@@ -66,8 +69,3 @@ def review_measured(case: Case, errors: Mapping[str, float]) -> list[str]:
         for key, expected in budgets.items()
         if expected is not None and abs(errors[key]) > expected
     ]
-
-
-def target_is_not_zero(case: Case, key: str) -> bool:
-    """Fractions of a target of zero mean nothing."""
-    return case.target(key) != 0.0

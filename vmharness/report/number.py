@@ -66,6 +66,17 @@ def positional(value: float | None, digits: int = 3) -> str:
     return f"{Decimal(f'{value:.{digits}g}').normalize():f}"
 
 
+def fraction(value: float | None, target: float, unit: str) -> str:
+    """A number of an error budget: in percent of the target, or in its unit where the target is zero.
+
+    >>> fraction(5.5e-6, 2.0, "m"), fraction(5e-7, 0.0, "m"), fraction(None, 2.0, "m")
+    ('0.00055', '5e-7 m', '–')
+    """
+    if target == 0.0 and value is not None:
+        return f"{short(value)} {unit}".rstrip()
+    return positional(None if value is None else 100.0 * value, 2)
+
+
 def share(value: float | None) -> str:
     """A share of a tolerance in whole percent, or how many times it was exceeded.
 

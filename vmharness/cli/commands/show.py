@@ -64,6 +64,7 @@ def _theory(case: "Case") -> None:
 def _results(case: "Case") -> None:
     from vmharness.evidence.tolerance import allowed, budget
     from vmharness.formula import Unit
+    from vmharness.report.number import fraction
 
     table = plain_table("Result", "Target", "Unit", "Tolerance (%)", "Budget (%)", "Event", "Channel")
     for result in case.file.results:
@@ -73,8 +74,8 @@ def _results(case: "Case") -> None:
             result.key,
             f"{target:.7g}",
             result.unit,
-            f"{100.0 * allowed(case, result.key):.3g}",
-            "–" if expected is None else f"{100.0 * expected:.3g}",
+            fraction(allowed(case, result.key), target, result.unit),
+            fraction(expected, target, result.unit),
             case.file.events[result.event].title,
             result.channel,
         )
@@ -92,6 +93,8 @@ def _faults(case: "Case") -> None:
 def _deck(case: "Case") -> None:
     from collections import Counter
 
+    import numpy as np
+
     from vmharness.backends.builtin import read_deck
     from vmharness.case import CaseError
     from vmharness.deck import DeckError
@@ -103,8 +106,8 @@ def _deck(case: "Case") -> None:
         return
     rows: Counter[str] = Counter()
     for entry in deck.entries:
-        if "nid" in entry.values or "eid" in entry.values:
-            rows[entry.keyword.name] += len(entry.values["eid" if "eid" in entry.values else "nid"])
+        if entry.keyword.name == "NODE" or entry.keyword.name.startswith("ELEMENT_"):
+            rows[entry.keyword.name] += np.size(entry.values["eid" if "eid" in entry.values else "nid"])
     keywords = Counter(entry.keyword.name for entry in deck.entries)
     say(f"{case.deck_name}: {deck.title}")
     say("parameters: " + ", ".join(f"{name} = {value}" for name, value in deck.parameters.items()))

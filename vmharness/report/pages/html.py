@@ -113,6 +113,7 @@ def _filters() -> dict[str, Callable[..., str]]:
         "signs": _signs,
         "share": number.share,
         "positional": number.positional,
+        "fraction": number.fraction,
         "unit": lambda text: Unit(text).html() or "–",
     }
 

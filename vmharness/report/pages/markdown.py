@@ -48,6 +48,7 @@ def _filters() -> dict[str, Callable[..., str]]:
         "decimals": number.decimals,
         "share": number.share,
         "positional": number.positional,
+        "fraction": number.fraction,
         "cell": _cell,
         "plain": _plain,
     }
