@@ -56,13 +56,15 @@ def decimals(value: float | None, places: int = 4) -> str:
 
 
 def positional(value: float | None, digits: int = 3) -> str:
-    """A few significant digits, however small, without an exponent: for tolerances and budgets in percent.
+    """A few significant digits, with an exponent only from six zeros on: for tolerances and budgets in percent.
 
-    >>> positional(5e-5), positional(0.001), positional(0.0005493, 2), positional(None)
-    ('0.00005', '0.001', '0.00055', '–')
+    >>> positional(5e-5), positional(0.001), positional(0.0005493, 2), positional(-9.24e-10, 2), positional(None)
+    ('0.00005', '0.001', '0.00055', '-9.2e-10', '–')
     """
     if value is None or not math.isfinite(value):
         return DASH
+    if 0.0 < abs(value) < 1e-6:
+        return _tidy(f"{value:.{digits}g}")
     return f"{Decimal(f'{value:.{digits}g}').normalize():f}"
 
 

@@ -21,6 +21,7 @@ MARKERS = ("o", "s", "D", "^", "v")
 THEORY_EVERY = 12
 QUIET, INK = "#5b6670", "#1b2733"
 LETTER = 0.011  # width of a letter of an event's title, as a fraction of the axes
+TITLE = 24 / 72  # inches from the title of an event to that above it
 TITLED = 0.3  # of the axes, where their own title stands
 
 
@@ -32,12 +33,15 @@ def draw(run: CaseRun, name: str, together: list[Curve], solver: str) -> str:
         entries = _entries(together, solver)
         rows = [entries[first : first + 3] for first in range(0, len(entries), 3)]
         under = 0.57 + 0.22 * len(rows)  # inches: labels of time, and the rows of the key
-        figure = Figure(figsize=(6.6, 4.3 + under))
-        above, below = _panels(figure, under / (4.3 + under))
+        places = _places(run, float(together[0].time[0]), float(together[0].time[-1]))
+        rest = 4.3 + under  # inches: all but what titles of events need beyond two rows
+        height = rest + TITLE * max((level - 1 for *_, level in places if level), default=0)
+        figure = Figure(figsize=(6.6, height))
+        above, below = _panels(figure, under / height, 0.865 * rest / height)
         above.set_xlim(together[0].time[0], together[0].time[-1])
         _values(above, together)
         _residuals(below, together)
-        _events(above, below, run)
+        _events(above, below, run, places)
         _title(above, quantity(run, together), unit(together[0].unit))
         time = f"Time ({run.case.file.units.time})"
         note(below, time, (1.0, 0.0), (0, -26), xycoords="axes fraction", ha="right", color=INK)
@@ -47,10 +51,10 @@ def draw(run: CaseRun, name: str, together: list[Curve], solver: str) -> str:
         return svg.text(figure, f"Computed and theoretical history: {labels}")
 
 
-def _panels(figure: "Figure", bottom: float) -> tuple["Axes", "Axes"]:
+def _panels(figure: "Figure", bottom: float, top: float) -> tuple["Axes", "Axes"]:
     """Axes for values and, below, for differences, over one axis of time."""
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=(2.6, 1.2))
-    figure.subplots_adjust(left=0.09, right=0.97, top=0.865, bottom=bottom, hspace=0.24)
+    figure.subplots_adjust(left=0.09, right=0.97, top=top, bottom=bottom, hspace=0.24)
     for axes in (above, below):
         axes.grid(True)
         axes.set_axisbelow(True)
@@ -118,24 +122,30 @@ def _residuals(axes: "Axes", together: list[Curve]) -> None:
     axes.locator_params(axis="y", nbins=5)
 
 
-def _events(above: "Axes", below: "Axes", run: CaseRun) -> None:
-    """A vertical line where each event was found, its title on top; titles that would collide take turns upward."""
-    first, last = above.get_xlim()
-    level, reached = 0, TITLED
+def _places(run: CaseRun, first: float, last: float) -> list[tuple[str, Event, float, int]]:
+    """Name and event; where its title stands along the axes, as a fraction, and in which row: the lowest with room."""
     found = {name: event for name, event in run.events.items() if isinstance(event, Event)}
+    places, reached = [], [TITLED]
     for name, event in sorted(found.items(), key=lambda item: item[1].time):
+        half = LETTER * max(len(run.case.file.events[name].title), 10) / 2
+        middle = min((float(f"{event.time:.6g}") - first) / (last - first), 1.02 - half)
+        level = next((row for row, end in enumerate(reached) if middle - half >= end), len(reached))
+        reached[level:] = [middle + half, *reached[level + 1 :]]
+        places.append((name, event, middle, level))
+    return places
+
+
+def _events(above: "Axes", below: "Axes", run: CaseRun, places: list[tuple[str, Event, float, int]]) -> None:
+    """A vertical line where each event was found, its title on top."""
+    for name, event, middle, level in places:
         t, title = float(f"{event.time:.6g}"), run.case.file.events[name].title
         for axes in (above, below):
             axes.axvline(t, color=QUIET, linewidth=0.8, linestyle=(0, (4, 3)), zorder=0.5)
-        half = LETTER * max(len(title), 10) / 2
-        middle = min((t - first) / (last - first), 1.02 - half)
-        level = 1 - level if middle - half < reached else 0
-        reached = middle + half
         note(
             above,
             f"{title}\n{t:.6g} {run.case.file.units.time}",
             (middle, 1.0),
-            (0, 6 + 24 * level),
+            (0, 6 + 72 * TITLE * level),
             size=8,
             xycoords="axes fraction",
             ha="center",

@@ -27,7 +27,8 @@ BEAM: dict[str, Any] = {"color": EDGE, "linewidth": 2.4}
 DISCRETE: dict[str, Any] = {"color": INK, "linewidth": 1.2}
 ARROW: dict[str, Any] = {"color": LOAD, "linewidth": 1.6}
 CONTACT: dict[str, Any] = {"color": "#7b3294", "linewidth": 1.2, "linestyle": (0, (4, 3))}
-MANY = 30  # nodes: more numbers, or lines of contact, would hide the model
+MANY = 30  # nodes: more marks, or lines of contact, would hide the model
+NUMBERED = 16  # nodes: more numbers would lie on one another
 # Rows are the directions of the drawing, to the right and up: the axes 120 degrees apart, z upright.
 ISOMETRIC = np.array([[np.sqrt(3.0) / 2.0, -np.sqrt(3.0) / 2.0, 0.0], [0.5, 0.5, 1.0]])
 
@@ -130,6 +131,7 @@ def _nodes(axes: "Axes", view: View, at: Array) -> None:
     axes.plot(*at[view.masses].T, zorder=4, **MASS)
     if view.ids.size <= MANY:
         axes.plot(*at.T, linestyle="none", marker="o", markersize=3.4, color=INK, zorder=5)
+    if view.ids.size <= NUMBERED:
         _numbers(axes, view, at)
 
 

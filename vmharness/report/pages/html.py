@@ -112,7 +112,7 @@ def _filters() -> dict[str, Callable[..., str]]:
         "minus": _minus,
         "signs": _signs,
         "share": number.share,
-        "positional": number.positional,
+        "positional": lambda value, digits=3: _minus(number.positional(value, digits)),
         "fraction": number.fraction,
         "unit": lambda text: Unit(text).html() or "–",
     }
