@@ -6,6 +6,7 @@ import pytest
 
 from vmharness.backends import backend
 from vmharness.case import CaseError, read
+from vmharness.case.format import Within
 from vmharness.formula import Formula
 from vmharness.report.studies import sweep as page
 from vmharness.run import run
@@ -113,12 +114,23 @@ def test_the_section_of_the_page(case):
     assert "k from 1000 to 4000 lbf/in" in section.text[0]
 
 
-def test_a_case_that_declares_no_region_says_so():
-    with pytest.raises(CaseError, match=r"VM-182: has no \[sweep\]"):
-        points(read(BALL.parent / "VM-182"), 5, 0, None)
-
-
 def test_a_grid_that_nobody_could_run_is_refused(case):
     assert len(points(case, None, 0, 3)[0]) <= 27
     with pytest.raises(CaseError, match=r"VM-061: a grid of 400 values of 3 data has 6.4e\+07 points"):
         points(case, None, 0, 400)
+
+
+def test_a_case_that_declares_no_region_says_so(case):
+    without = replace(case, file=msgspec.structs.replace(case.file, sweep=None))
+    with pytest.raises(CaseError, match=r"VM-061: has no \[sweep\]"):
+        points(without, 5, 0, None)
+
+
+def test_a_constraint_keeps_points_without_theory_out(case):
+    """A height below nothing has no time of fall, but its own constraint has a value there."""
+    above = Within(formula="h/L", low=0.1, high=10.0, because="the ball falls")
+    plan = planned(case, ranges={"h": (-1.0, 1.0)}, within=[above])
+    plan = replace(plan, formulas={**plan.formulas, "within 1": Formula(above.formula)})
+    chosen, _ = points(plan, 8, 0, None)
+    assert len(chosen) == 8
+    assert min(point["h"] for point in chosen) > 0.0

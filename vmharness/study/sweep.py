@@ -9,6 +9,7 @@ from vmharness.evidence import sample
 from vmharness.evidence.sample import Point
 from vmharness.evidence.shrink import shrink
 from vmharness.evidence.swept import Failing, Swept, Worst, worst_share
+from vmharness.formula import FormulaError
 from vmharness.study.measured import Measured
 from vmharness.study.variant import Variant
 from vmharness.suite.settings import as_options, with_settings
@@ -101,13 +102,28 @@ def plan_of(case: Case) -> Sweep:
 
 
 def _accepted(case: Case, plan: Sweep, point: Point) -> bool:
-    """The point meets the constraints; one at which theory has no value is kept, to be complained about."""
+    """No constraint that has a value at the point is broken; one that has none is kept, to be complained about."""
+    factors = {name: case.units.factor(case.file.given[name].unit) for name in point}
+    known = {**case.given, **{name: value * factors[name] for name, value in point.items()}}
+    for name in case.file.theory:
+        if (value := _value(case, name, known)) is not None:
+            known[name] = value
+    values = [_value(case, f"within {number}", known) for number in range(1, len(plan.within) + 1)]
+    return all(
+        value is None or each.low <= value <= each.high
+        for each, value in zip(plan.within, values, strict=True)
+    )
+
+
+def _value(case: Case, name: str, known: Point) -> float | None:
+    """Of a formula; None where the data give it none, or it needs a line of the theory that has none."""
+    formula = case.formulas[name]
+    if not formula.names <= known.keys():
+        return None
     try:
-        there = with_settings(case, point)
-        values = [there.evaluate(f"within {number}") for number in range(1, len(plan.within) + 1)]
-    except CaseError:
-        return True
-    return all(each.low <= value <= each.high for each, value in zip(plan.within, values, strict=True))
+        return float(formula.evaluate(known))
+    except FormulaError:
+        return None
 
 
 def _share(outcome: Measured, key: str) -> float | None:
