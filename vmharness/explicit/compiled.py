@@ -17,7 +17,7 @@ if CACHED:
 
 # NaN stays NaN and operations keep their order ("contract" only fuses a*b + c); division by zero gives inf.
 OPTIONS: dict[str, Any] = {"cache": CACHED, "error_model": "numpy", "fastmath": {"contract"}}
-# For kernels that make no arrays: those that they are given are not counted as they are handed on, 10 ns each time.
+# For kernels that neither make nor return arrays: those that they are given are not counted as they are handed on, 10 ns each time.
 UNCOUNTED: dict[str, Any] = {**OPTIONS, "_nrt": False}
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -35,7 +35,7 @@ def concurrent(function: Function) -> Function:
 
 
 def uncounted(function: Function) -> Function:
-    """A kernel that makes no arrays, in place where it is called many times for little."""
+    """A kernel that neither makes nor returns arrays, in place where it is called many times for little."""
     compiled: Function = numba.njit(**UNCOUNTED)(function)
     return compiled
 

@@ -7,11 +7,13 @@ from typing import TypeAlias
 
 import numba
 
-from vmharness.explicit.compiled import UNCOUNTED
+from vmharness.explicit.compiled import OPTIONS, UNCOUNTED
 
 Vector: TypeAlias = tuple[float, float, float]
 
 inlined = numba.njit(**UNCOUNTED, forceinline=True)
+# For functions that return arrays: the caller counts what it is given as its own.
+inlined_counted = numba.njit(**OPTIONS, forceinline=True)
 
 
 @inlined

@@ -14,7 +14,7 @@ from vmharness.explicit.compiled import kernel, specialise
 from vmharness.explicit.lanes import LANES
 from vmharness.explicit.plasticity.piecewise_linear import COLUMNS, END, Table, segment
 from vmharness.explicit.state import Array
-from vmharness.explicit.vector import inlined
+from vmharness.explicit.vector import inlined, inlined_counted
 
 if TYPE_CHECKING:
 
@@ -51,7 +51,7 @@ def step_ahead(work: Array, *given: Any) -> None:
         once(work, *given[:-3], by_rows(constants), stress, history)
 
 
-@inlined
+@inlined_counted
 def by_rows(constants: Any) -> Any:
     """The constants with the rows of the elements in place of the table."""
     hinges, table, _ = constants[Y]

@@ -19,7 +19,7 @@ import numpy as np
 
 from vmharness.explicit.lanes import LANES, Indices
 from vmharness.explicit.state import Array
-from vmharness.explicit.vector import inlined
+from vmharness.explicit.vector import inlined, inlined_counted
 
 Hinges: TypeAlias = tuple[float, ...]
 # Starts of the segments, cells, rows; then of LANES elements: the rows that they need, what a step of these changes.
@@ -104,13 +104,13 @@ def by_form(hinges: Hinges, table: Table | None, x: float) -> tuple[float, float
     return rows[k, 0] + rows[k, 1] * x, rows[k, 1]
 
 
-@inlined
+@inlined_counted
 def of_lane(curve: Curve, at: int, stride: int) -> Curve:
     """The function of one element of a block, whose history starts at `at`."""
     return by_rows(curve[0], curve[1], curve[2], at, stride)
 
 
-@inlined
+@inlined_counted
 def by_rows(hinges: Hinges, table: Table | None, near: Array | None, at: int, stride: int) -> Curve:
     """The same; the compiler keeps one form."""
     if near is None:
