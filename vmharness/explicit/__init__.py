@@ -2,7 +2,7 @@
 
     model.py  loop.py  integrate.py  state.py    a deck as arrays; the method; its kernels; what moves
     force.py  constraint.py                      the two kinds of things that the loop knows
-    energy.py  balance.py  probe.py              what is watched and read off, outside the loop
+    energy.py  balance.py  probes/               what is watched and read off, outside the loop
 
 Some folders are lists: each file or folder in one is a formulation with its keywords, and is found there.
 

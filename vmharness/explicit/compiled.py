@@ -17,7 +17,8 @@ if CACHED:
 
 # NaN stays NaN and operations keep their order ("contract" only fuses a*b + c); division by zero gives inf.
 OPTIONS: dict[str, Any] = {"cache": CACHED, "error_model": "numpy", "fastmath": {"contract"}}
-# For kernels that neither make nor return arrays: those that they are given are not counted as they are handed on, 10 ns each time.
+# For kernels that neither make nor return arrays: those that they are given are not counted as they are handed on,
+# which takes 10 ns each time.
 UNCOUNTED: dict[str, Any] = {**OPTIONS, "_nrt": False}
 
 Function = TypeVar("Function", bound=Callable[..., Any])
