@@ -47,6 +47,10 @@ class History:
     def __len__(self) -> int:
         return self.time.size
 
+    def samples(self, chosen: NDArray[np.intp] | slice) -> "History":
+        """The history of the chosen samples alone, in their order."""
+        return History(self.time[chosen], {name: values[chosen] for name, values in self.channels.items()})
+
     def at(self, name: str, t: ArrayLike) -> Array:
         """Channel `name` at the times `t` (m,) within the run, by cubic Hermite interpolation.
 

@@ -35,10 +35,7 @@ def states(history: History, interval: float) -> NDArray[np.intp]:
 
 
 def _column(case: Case, history: History, column: Published, interval: float) -> tuple[Reading, ...]:
-    chosen = states(history, interval)
-    sampled = History(
-        history.time[chosen], {name: values[chosen] for name, values in history.channels.items()}
-    )
+    sampled = history.samples(states(history, interval))
     rows = []
     for result in case.file.results:
         if result.key not in column.values:

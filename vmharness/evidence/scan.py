@@ -111,13 +111,13 @@ def _values(case: Case, sampled: History, keys: list[str], before: int) -> dict[
 
 
 def _last_cycle(history: History, interval: float) -> History:
-    return _at_samples(history, states(history, interval))
+    return history.samples(states(history, interval))
 
 
 def _next_cycle(history: History, interval: float) -> History:
     nominal = _nominal(history, interval)
     found = np.searchsorted(history.time, nominal - 1e-9 * interval)
-    return _at_samples(history, np.unique(found[found < len(history)]))
+    return history.samples(np.unique(found[found < len(history)]))
 
 
 def _exactly(history: History, interval: float) -> History:
@@ -130,10 +130,6 @@ def _exactly(history: History, interval: float) -> History:
 def _nominal(history: History, interval: float) -> np.ndarray:
     count = math.floor((history.time[-1] - history.time[0]) / interval * (1.0 + 1e-12))
     return np.asarray(history.time[0] + interval * np.arange(count + 1))
-
-
-def _at_samples(history: History, chosen: np.ndarray) -> History:
-    return History(history.time[chosen], {name: values[chosen] for name, values in history.channels.items()})
 
 
 WRITTEN: dict[str, Callable[[History, float], History]] = {

@@ -8,13 +8,8 @@ from vmharness.measure import find_event, value_at
 
 def phases(case: Case, history: History, stride: int) -> dict[str, list[float | None]]:
     """By key, the results read from the samples n, n + stride, n + 2 stride, ... for n = 0 to stride - 1."""
-    found = [read_all(case, _thinned(history, stride, first)) for first in range(stride)]
+    found = [read_all(case, history.samples(slice(first, None, stride))) for first in range(stride)]
     return {result.key: [values[result.key] for values in found] for result in case.file.results}
-
-
-def _thinned(history: History, stride: int, first: int) -> History:
-    channels = {name: values[first::stride] for name, values in history.channels.items()}
-    return History(history.time[first::stride], channels)
 
 
 def read_all(case: Case, history: History) -> dict[str, float | None]:

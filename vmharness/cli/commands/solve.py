@@ -88,8 +88,7 @@ def _say(deck: "Deck", model: "Model", history: "History", seconds: float) -> No
 def _states(deck: "Deck", history: "History") -> "History":
     """The samples at the deck's output interval."""
     from vmharness.evidence.reading import states
-    from vmharness.history import History
 
     asked = [entry.dt for name in ("NODOUT", "GLSTAT") for entry in deck.all(f"DATABASE_{name}") if entry.dt]
     chosen = states(history, min(asked, default=float(history.time[-1]) / STATES))
-    return History(history.time[chosen], {name: values[chosen] for name, values in history.channels.items()})
+    return history.samples(chosen)
