@@ -1,4 +1,4 @@
-"""Cases of contact: they pass, each planted fault fails them, and budgets justify tolerances."""
+"""Cases of contact: energy balances, and targets are those derived independently."""
 
 from pathlib import Path
 
@@ -6,34 +6,10 @@ import numpy as np
 import pytest
 
 from vmharness.backends import builtin
-from vmharness.case import Case, read
-from vmharness.compare import Verdict
-from vmharness.evidence.faults import planted
-from vmharness.evidence.tolerance import review
+from vmharness.case import read
 from vmharness.run import run
 
 CASES = Path(__file__).parents[1] / "cases"
-IDS = ["D-18", "D-20", "D-22", "D-23", "D-28-shell", "D-28-solid", "D-29"]
-
-
-@pytest.fixture(params=IDS)
-def case(request) -> Case:
-    return read(CASES / request.param)
-
-
-def test_passes_with_errors_that_the_budget_covers(case):
-    judged = run(case, builtin)
-    assert judged.verdict is Verdict.PASS, judged.reason
-    for row in judged.rows:
-        if case.target(row.key):
-            assert abs(row.comparison.error_percent) / 100.0 <= 1.01 * row.budget, row.key
-    assert review(case) == ([], [])
-
-
-def test_every_planted_fault_fails(case):
-    for fault in case.file.faults:
-        wrong = {row.key for row in run(planted(case, fault), builtin).rows if row.verdict is Verdict.FAIL}
-        assert wrong >= set(fault.must_fail), fault.text
 
 
 @pytest.mark.parametrize("id", ["D-18", "D-20", "D-22", "D-23"])
