@@ -97,32 +97,43 @@ def beyond(triangle: bool, xi: float, eta: float) -> float:
 
 
 @inlined
+def newton(
+    xi: float, eta: float, a: Vector, b: Vector, w: Vector, d: Vector
+) -> tuple[float, float, Vector, Vector, Vector, float]:
+    """One step towards (p - r) . r,xi = (p - r) . r,eta = 0, and what it leaves, in xi and eta.
+
+    `a`, `b`: r,xi and r,eta; `w`: r,xi,eta; `d`: p - r, there and at the end of the step. What a step ds leaves is of
+    the order |r,xi,eta| / |r,xi| ds^2: nothing on a parallelogram. Steps are limited, so that a warped segment and a
+    distant p do not throw the iteration off.
+    """
+    aa, bb, plain = dot(a, a), dot(b, b), dot(a, b)
+    # The twist enters the Hessian of |p - r|^2 / 2 off the diagonal; where that is not convex, leave it out.
+    ab = plain - dot(d, w)
+    ab = plain if ab * ab >= 0.999 * aa * bb else ab
+    ra, rb = dot(d, a), dot(d, b)
+    inverse = 1.0 / (aa * bb - ab * ab)
+    step_xi, step_eta = (bb * ra - ab * rb) * inverse, (aa * rb - ab * ra) * inverse
+    longest = max(abs(step_xi), abs(step_eta))
+    shorten = 2.0 / max(longest, 2.0)
+    step_xi, step_eta = shorten * step_xi, shorten * step_eta
+    b = add(b, scale(step_xi, w))
+    d = subtract(d, add(scale(step_xi, a), scale(step_eta, b)))
+    left = min(longest, longest * longest * (dot(w, w) / min(aa, bb)) ** 0.5)
+    return xi + step_xi, eta + step_eta, add(a, scale(step_eta, w)), b, d, left if shorten == 1.0 else longest
+
+
+@inlined
 def project(triangle: bool, c: Corners, p: Vector, xi: float, eta: float) -> tuple[float, float]:
     """(xi, eta) with (p - r) . r,xi = (p - r) . r,eta = 0 by Newton's method from a first guess.
 
-    They may lie outside the segment. Steps are limited, so that a warped segment and a distant p do not throw the
-    iteration off. What a step ds leaves is of the order |r,xi,eta| / |r,xi| ds^2: nothing on a parallelogram.
+    They may lie outside the segment.
     """
     o, a, b, w = polynomial(triangle, c)
     a, b = add(a, scale(eta, w)), add(b, scale(xi, w))
     d = subtract(subtract(p, o), add(scale(xi, a), scale(eta, subtract(b, scale(xi, w)))))  # p - r
     for _ in range(ITERATIONS):
-        aa, bb, plain = dot(a, a), dot(b, b), dot(a, b)
-        # The twist enters the Hessian of |p - r|^2 / 2 off the diagonal; where that is not convex, leave it out.
-        ab = plain - dot(d, w)
-        if ab * ab >= 0.999 * aa * bb:
-            ab = plain
-        ra, rb = dot(d, a), dot(d, b)
-        inverse = 1.0 / (aa * bb - ab * ab)
-        step_xi, step_eta = (bb * ra - ab * rb) * inverse, (aa * rb - ab * ra) * inverse
-        longest = max(abs(step_xi), abs(step_eta))
-        if longest > 2.0:
-            step_xi, step_eta = 2.0 * step_xi / longest, 2.0 * step_eta / longest
-        xi, eta = xi + step_xi, eta + step_eta
-        b = add(b, scale(step_xi, w))  # tangents at the end of the step, and p - r there
-        d = subtract(d, add(scale(step_xi, a), scale(step_eta, b)))
-        a = add(a, scale(step_eta, w))
-        if longest < CONVERGED or (longest <= 2.0 and dot(w, w) * longest**4 <= CONVERGED**2 * min(aa, bb)):
+        xi, eta, a, b, d, left = newton(xi, eta, a, b, w, d)
+        if left <= CONVERGED:
             break
     return xi, eta
 

@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.explicit.compiled import uncounted
-from vmharness.explicit.penalty.follow import follow, slide
+from vmharness.explicit.penalty.follow import follow
 from vmharness.explicit.penalty.onset import look
 from vmharness.explicit.penalty.push import push
+from vmharness.explicit.penalty.slide import slide
 from vmharness.explicit.penalty.touch import Record, Records
 from vmharness.explicit.penalty.work import half_work, let_go
 from vmharness.explicit.segment import at
@@ -28,11 +29,12 @@ REACH = 1.01  # so that a node which begins to fall from the surface itself is n
 def cycle(
     f: Array, x: Array, v: Array, a: Array, mass: Array, dt: float, nodes: Records, segments: Records,
     touches: Records, first: Index, beside: Index, near_first: Index, near: Index, rows: Index,
-    rules: Records, account: Array, sorted_now: bool,
+    rules: Records, account: Array, work: Array, lanes: Index, sorted_now: bool,
 ) -> bool:  # fmt: skip
     """Add contact forces at t_n, and the work of the step; False, and nothing done, where a sort must come first.
 
-    `account` receives the energies "contact" and "friction" and the sum of forces on the nodes.
+    `account` receives the energies "contact" and "friction" and the sum of forces on the nodes; `work`, `lanes`:
+    buffers of `slide`.
     """
     rule = rules[0]
     step = REACH * dt * fastest(v, nodes, rows)
@@ -45,9 +47,7 @@ def cycle(
     for t in range(nodes.size):
         for k in range(nodes[t]["count"]):
             half_work(x, v, dt, nodes[t], segments, touches[k, t], rule, account)
-    for t in range(nodes.size):
-        if nodes[t]["count"] > 0:
-            settle(x, nodes[t], touches[:, t], segments)
+    slide(x, nodes, segments, touches, work, lanes)
     for t in range(nodes.size):
         node = nodes[t]
         if (node["settled"] or node["count"] == 0) and node["clear"] > travel and not sorted_now:
@@ -66,16 +66,6 @@ def cycle(
             push(f, x, v, a, mass, dt, nodes[t], segments, touches[k, t], rule, account)
     rule["start"] = False
     return True
-
-
-@inlined
-def settle(x: Array, node: Record, touches: Records, segments: Records) -> None:
-    """Follow those touches of a node that stay where they are, and clear its force."""
-    settled = True
-    for k in range(node["count"]):
-        settled = slide(x, node, touches[k], segments) and settled
-    node["settled"] = settled
-    node["force"][0] = node["force"][1] = node["force"][2] = 0.0
 
 
 @inlined

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from vmharness.explicit.penalty.beside import nearer
 from vmharness.explicit.penalty.place import first_guess, half_thickness, place
-from vmharness.explicit.penalty.touch import Record, Records
+from vmharness.explicit.penalty.touch import Record, Records, write
 from vmharness.explicit.segment import at, beyond, corners, interpolate, normal, project, shape, tangents
 from vmharness.explicit.state import Array
 from vmharness.explicit.vector import Vector, dot, inlined, scale, subtract
@@ -24,18 +24,6 @@ from vmharness.explicit.vector import Vector, dot, inlined, scale, subtract
 Index = NDArray[np.intp]
 
 HOPS = 4  # borders crossed within one step
-
-
-@inlined
-def slide(x: Array, node: Record, touch: Record, segments: Records) -> bool:
-    """Bring a touch to t_n that stays well within its segment, as most do; False, and nothing done, for any other."""
-    segment, side = segments[touch["segment"]], touch["side"]
-    xi, eta, out, away, n = place(x, segment, at(x, node["row"]), touch["xi"], touch["eta"])
-    gap = side * dot(away, n) - half_thickness(node, segment)
-    if gap >= 0.0 or -gap > segment["release"] or not inside(x, segment, xi, eta, out, away):
-        return False
-    write(touch, touch["segment"], side, xi, eta, scale(side, n), gap)
-    return True
 
 
 @inlined
@@ -78,13 +66,6 @@ def follow(
         node["released"] = True
         return False
     return bool(touch["gap"] < 0.0)
-
-
-@inlined
-def write(touch: Record, s: int, side: float, xi: float, eta: float, n: Vector, gap: float) -> None:
-    """Keep what was found."""
-    touch["segment"], touch["side"], touch["xi"], touch["eta"], touch["gap"] = s, side, xi, eta, gap
-    touch["normal"][0], touch["normal"][1], touch["normal"][2] = n
 
 
 @inlined

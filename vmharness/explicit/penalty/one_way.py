@@ -2,12 +2,14 @@
 
 import numpy as np
 
+from vmharness.explicit.lanes import LANES
 from vmharness.explicit.penalty.bucket import candidates, size_of
 from vmharness.explicit.penalty.cycle import cycle, fastest
 from vmharness.explicit.penalty.neighbours import neighbours
 from vmharness.explicit.penalty.options import Options
 from vmharness.explicit.penalty.rule import rule_of
 from vmharness.explicit.penalty.segments import Segments
+from vmharness.explicit.penalty.slide import ROWS
 from vmharness.explicit.penalty.touch import MOST, TOUCH, node_records, segment_records
 from vmharness.explicit.penalty.tracked import Tracked
 from vmharness.explicit.state import Array, State
@@ -28,6 +30,8 @@ class OneWay:
         self.rule = rule_of(options)
         self.account = np.zeros(5)  # energies "contact" and "friction"; force on the tracked nodes
 
+        self.work, self.lanes = np.ones(ROWS * LANES), np.zeros((LANES, 2), np.intp)
+
     def add(self, s: State) -> None:
         """Add the forces at t_n, and the work of the step that led to it."""
         if not self._cycle(s, False):
@@ -37,7 +41,7 @@ class OneWay:
     def _cycle(self, s: State, sorted_now: bool) -> bool:
         return cycle(
             s.f, s.x, s.v, s.a, s.lumped, s.dt, self.nodes, self.segments, self.touches, self.first, self.beside,
-            self.near_first, self.near, self.rows, self.rule, self.account, sorted_now,
+            self.near_first, self.near, self.rows, self.rule, self.account, self.work, self.lanes, sorted_now,
         )  # fmt: skip
 
     def sort(self, s: State) -> None:

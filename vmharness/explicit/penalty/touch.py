@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from vmharness.explicit.penalty.segments import Segments
 from vmharness.explicit.penalty.tracked import Tracked
+from vmharness.explicit.vector import Vector, inlined
 
 Records: TypeAlias = NDArray[np.void]
 Record: TypeAlias = Any  # one of them: fields by name
@@ -58,6 +59,13 @@ TOUCH = np.dtype(
     ],
     align=True,
 )
+
+
+@inlined
+def write(touch: Record, s: int, side: float, xi: float, eta: float, n: Vector, gap: float) -> None:
+    """Keep where a touch is found at t_n."""
+    touch["segment"], touch["side"], touch["xi"], touch["eta"], touch["gap"] = s, side, xi, eta, gap
+    touch["normal"][0], touch["normal"][1], touch["normal"][2] = n
 
 
 def node_records(tracked: Tracked) -> Records:
