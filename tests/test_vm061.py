@@ -10,7 +10,7 @@ from vmharness import measure
 from vmharness.backends import builtin
 from vmharness.case import read
 from vmharness.compare import Verdict
-from vmharness.explicit import loop
+from vmharness.explicit import integrate
 from vmharness.explicit.probes import node as node_probes
 from vmharness.history import History
 from vmharness.run import run
@@ -116,14 +116,14 @@ def test_a_step_sixty_times_longer_is_still_right():
 
 def full_step_start(monkeypatch):
     """v_{1/2} = v_0 + dt a_0: the first step takes a whole step's acceleration."""
-    right = loop.advance_velocity
+    right = integrate.advance_velocity
     calls = []
 
     def wrong(v, omega, a, alpha, dt):
         calls.append(dt)
         right(v, omega, a, alpha, 2.0 * dt if len(calls) == 1 else dt)
 
-    monkeypatch.setattr(loop, "advance_velocity", wrong)
+    monkeypatch.setattr(integrate, "advance_velocity", wrong)
 
 
 def half_step_velocity(monkeypatch):
@@ -186,14 +186,14 @@ def test_a_second_impact_is_more_than_declared():
 
 
 def test_a_solver_that_breaks_down_cannot_be_judged_and_keeps_what_it_has(monkeypatch):
-    right = loop.accelerate
+    right = integrate.accelerate
     calls = []
 
     def breaks(a, *arrays):
         calls.append(0)
         return float("nan") if len(calls) > 900 else right(a, *arrays)
 
-    monkeypatch.setattr(loop, "accelerate", breaks)
+    monkeypatch.setattr(integrate, "accelerate", breaks)
     broken = run(COARSE, builtin)
     assert broken.verdict is Verdict.ERROR
     assert "cycle 900: the motion is no longer finite" in broken.reason

@@ -3,9 +3,9 @@
 import math
 from collections.abc import Iterator
 
+from vmharness.explicit import integrate
 from vmharness.explicit.balance import Balance
 from vmharness.explicit.error import SolverError
-from vmharness.explicit.integrate import accelerate, advance_position, advance_velocity, clear
 from vmharness.explicit.model import Model
 from vmharness.explicit.state import State
 from vmharness.explicit.threads import Crew
@@ -25,13 +25,14 @@ def steps(model: Model) -> Iterator[State]:
     """
     s, balance, shortest = model.state, Balance(model), 0.0
     crew = Crew(model.forces, s, model.ncpu)
+    accelerate = crew.over_nodes(integrate.accelerate)
+    advance_velocity = crew.over_nodes(integrate.advance_velocity)
+    advance_position = crew.over_nodes(integrate.advance_position)
     while True:
-        clear(s.f, s.moment)
+        integrate.clear(s.f, s.moment)
         crew.add_forces()
 
-        size = crew.over_nodes(
-            accelerate, s.a, s.alpha, s.f, s.moment, model.inverse_mass, model.inverse_inertia
-        )
+        size = accelerate(s.a, s.alpha, s.f, s.moment, model.inverse_mass, model.inverse_inertia)
         if not math.isfinite(size):
             raise SolverError(s, "the motion is no longer finite: the run has diverged", model.wildest())
         for constraint in model.constraints:
@@ -46,11 +47,11 @@ def steps(model: Model) -> Iterator[State]:
         dt = model.next_step()
         check_step(model, dt, shortest)
         shortest = shortest or model.dtmin * dt
-        crew.over_nodes(advance_velocity, s.v, s.omega, s.a, s.alpha, 0.5 * (s.dt + dt))
+        advance_velocity(s.v, s.omega, s.a, s.alpha, 0.5 * (s.dt + dt))
         for constraint in model.constraints:
             constraint.move(s, dt)
 
-        crew.over_nodes(advance_position, s.x, s.v, dt)
+        advance_position(s.x, s.v, dt)
         s.t, s.dt, s.cycle = s.t + dt, dt, s.cycle + 1
 
 

@@ -1,5 +1,6 @@
 """A deck as arrays over nodes, forces and constraints: what the time loop steps."""
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -97,8 +98,9 @@ class Model:
 
     def next_step(self) -> float:
         """The step from t_n on: TSSFAC times the shortest that any elements set, or what caps it."""
-        stable = self.step_factor * min([block.stable_step() for block in self.blocks], default=np.inf)
-        return min([stable, *[cap(self.state.t) for cap in self.caps]]) if self.caps else stable
+        stable = [self.step_factor * block.stable_step() for block in self.blocks]
+        limits = stable + [cap(self.state.t) for cap in self.caps]
+        return min(limits) if limits else math.inf
 
     def wildest(self) -> str:
         """Which node is accelerated most, or beyond all numbers."""

@@ -47,6 +47,7 @@ class Crew:
         self.others = [(some, _other(state)) for some in self.lists[1:] if some]
         self.pool = ThreadPoolExecutor(len(self.others)) if self.others else None
         self.runs = list(shares(len(state.x), threads))
+        self.collect = self.over_nodes(collect)
 
     def add_forces(self) -> None:
         """f and moment of the state, which are zero, become the sums of all forces at t_n."""
@@ -55,16 +56,21 @@ class Crew:
             force.add(self.state)
         for done in waiting:
             other = done.result()
-            self.over_nodes(collect, self.state.f, self.state.moment, other.f, other.moment)
+            self.collect(self.state.f, self.state.moment, other.f, other.moment)
 
-    def over_nodes(self, function: Callable[..., Any], *arguments: Any) -> Any:
-        """What a kernel returns, if anything, summed over runs of nodes that are computed at once."""
-        if self.pool is None:
-            return function(*arguments)
-        cut = [[a[run] if isinstance(a, np.ndarray) else a for a in arguments] for run in self.runs]
-        waiting = [self.pool.submit(function, *own) for own in cut[1:]]
-        returned = [function(*cut[0]), *(done.result() for done in waiting)]
-        return None if returned[0] is None else sum(returned)
+    def over_nodes(self, function: Callable[..., Any]) -> Callable[..., Any]:
+        """A kernel over all nodes, computed for runs of them at once; what it returns, if anything, is summed."""
+        pool = self.pool
+        if pool is None:
+            return function
+
+        def by_runs(*arguments: Any) -> Any:
+            cut = [[a[run] if isinstance(a, np.ndarray) else a for a in arguments] for run in self.runs]
+            waiting = [pool.submit(function, *own) for own in cut[1:]]
+            returned = [function(*cut[0]), *(done.result() for done in waiting)]
+            return None if returned[0] is None else sum(returned)
+
+        return by_runs
 
     def _add(self, forces: list[Force], other: State) -> State:
         other.t, other.dt, other.cycle = self.state.t, self.state.dt, self.state.cycle

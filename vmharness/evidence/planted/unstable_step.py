@@ -2,5 +2,5 @@
 
 KIND = "integration"
 MODULE = "vmharness.explicit.model"
-SOUND = "self.step_factor * min("
-FAULTY = "2.5 * self.step_factor * min("
+SOUND = "self.step_factor * block"
+FAULTY = "2.5 * self.step_factor * block"
