@@ -4,7 +4,9 @@ import pytest
 
 from vmharness.backends.builtin import read_deck, solve
 from vmharness.case import CaseError, read
+from vmharness.case.format import Fault
 from vmharness.case.template import render
+from vmharness.evidence.faults import planted
 
 BAR = Path(__file__).parents[2] / "cases" / "D-37"
 
@@ -47,6 +49,16 @@ def test_a_mesh_follows_from_the_data(n):
     (nodes,) = deck.all("NODE")
     place = dict(zip(nodes.nid.tolist(), nodes.x.tolist(), strict=True))
     assert (place[1], place[401], place[801]) == (0.0, 0.5, 1.0)
+
+
+def test_a_fault_in_what_only_the_template_uses_is_in_the_deck():
+    sound = read(BAR)
+    assert not any("n" in sound.origins(f"parameter {name}") for name in sound.file.deck.parameters)
+    wrong = planted(sound, Fault(text="A coarser bar", change={"n": "=50"}, must_fail=["t_arrival"]))
+    assert len(read_deck(wrong).one("ELEMENT_BEAM").eid) == 50
+    assert wrong.values == sound.values
+    assert wrong.changed == frozenset()
+    assert sound.with_deck_of({"n": 200.0}).deck_source() == sound.with_given({"n": 200.0}).deck_source()
 
 
 def test_the_deck_that_ran_is_kept():

@@ -6,6 +6,7 @@ import pytest
 
 from vmharness.case import read
 from vmharness.study import store as kept
+from vmharness.study import variant
 from vmharness.study.gather import gather
 from vmharness.study.measured import Measured
 from vmharness.study.variant import Variant
@@ -61,6 +62,21 @@ def test_what_the_outcome_depends_on_is_in_the_key(ball):
     ]
     assert len(set(keys)) == len(keys)
     assert key(case) == Variant(case, "another label").key("builtin")
+
+
+def test_a_mesh_that_is_wrong_is_in_the_key(ball):
+    bar = read(ball.folder.parent / "D-37")
+    assert Variant(bar).key("builtin") != Variant(bar.with_deck_of({"n": 50.0})).key("builtin")
+
+
+def test_the_sources_are_the_same_on_every_machine_and_outcomes_are_not(ball, monkeypatch):
+    here, known = variant.sources(), Variant(ball).key("builtin")
+    monkeypatch.setattr("vmharness.explicit.cache._processor", lambda: "model name: another")
+    for cached in (variant.sources, variant._machine):
+        cached.cache_clear()
+    assert variant.sources() == here
+    assert Variant(ball).key("builtin") != known
+    variant._machine.cache_clear()
 
 
 def test_a_file_of_the_case_that_changes_is_in_the_key_unless_it_is_prose(ball, tmp_path):

@@ -35,6 +35,7 @@ class Case:
     theory: Mapping[str, float]
     changed: frozenset[str] = frozenset()  # data that are not those of the file
     planted: dict[str, float] = field(default_factory=dict)  # parameters of a deck wrong on purpose
+    planted_mesh: dict[str, float] = field(default_factory=dict)  # what its template is made of, likewise
     deck_text: str = ""  # a deck to run in place of the folder's, all its numbers in it
 
     @property
@@ -65,7 +66,7 @@ class Case:
         """
         if self.deck_text or not self.file.deck.file.endswith(SUFFIX):
             return self.deck_text
-        return render(self.deck_path, {name: self.evaluate(f"mesh {name}") for name in self.file.deck.mesh})
+        return render(self.deck_path, self.mesh_parameters())
 
     @property
     def sha256(self) -> str:
@@ -132,9 +133,14 @@ class Case:
             return dict(self.planted)
         return {name: self.evaluate(f"parameter {name}") for name in self.file.deck.parameters} | self.planted
 
+    def mesh_parameters(self) -> dict[str, float]:
+        """What the template of the deck is made of; nothing without a template."""
+        return {name: self.evaluate(f"mesh {name}") for name in self.file.deck.mesh} | self.planted_mesh
+
     def with_deck_of(self, changes: Mapping[str, float]) -> "Case":
         """The same case, its theory untouched, with the deck that other data would have: wrong on purpose."""
-        return replace(self, planted=self.with_given(changes).deck_parameters())
+        other = self.with_given(changes)
+        return replace(self, planted=other.deck_parameters(), planted_mesh=other.mesh_parameters())
 
     def with_deck(self, text: str) -> "Case":
         """The same case with the deck `text` in place of its own, which is run as it is."""

@@ -9,8 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from vmharness.backends.builtin import read_deck
-from vmharness.case import Case
-from vmharness.case.template import render
+from vmharness.case import Case, CaseError
 from vmharness.deck import Deck, DeckError, Entry
 from vmharness.evidence.faults import RUN_LENGTH
 from vmharness.study.deck import with_entries
@@ -38,14 +37,13 @@ def parameter_faults(case: Case, cycles: int) -> list[Planted]:
     Of the numbers that a template makes its mesh of, those of the model are left alone: they number nodes.
     """
     deck = case.file.deck
-    mesh = {name: case.evaluate(f"mesh {name}") for name in deck.mesh}
     found: list[Planted] = []
     for name, formula in deck.parameters.items():
         if formula != RUN_LENGTH:
             found += _wrong(name, case.evaluate(f"parameter {name}"), _parameter(case, name), cycles)
-    for name, value in mesh.items():
+    for name, value in case.mesh_parameters().items():
         if not is_of_model(case, f"mesh {name}"):
-            found += _wrong(name, value, _mesh(case, mesh, name), cycles)
+            found += _wrong(name, value, _mesh(case, name), cycles)
     return found
 
 
@@ -81,8 +79,8 @@ def _parameter(case: Case, name: str) -> Callable[[float], Case]:
     return lambda value: replace(case, planted={**case.deck_parameters(), name: value})
 
 
-def _mesh(case: Case, mesh: dict[str, float], name: str) -> Callable[[float], Case]:
-    return lambda value: case.with_deck(render(case.deck_path, {**mesh, name: value}))
+def _mesh(case: Case, name: str) -> Callable[[float], Case]:
+    return lambda value: replace(case, planted_mesh={**case.planted_mesh, name: value})
 
 
 def _ended(case: Case, cycles: int) -> Case:
@@ -95,7 +93,7 @@ def _ended(case: Case, cycles: int) -> Case:
 
     try:
         return with_entries(case, lambda deck: map(change, deck.entries))
-    except DeckError:
+    except (CaseError, DeckError):
         return case
 
 

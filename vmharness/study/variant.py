@@ -31,14 +31,16 @@ class Variant:
     strides: tuple[int, ...] = ()
 
     def key(self, solver: str) -> str:
-        """A hash of all that the outcome depends on: case, data, deck, solver and its sources, fault."""
+        """A hash of all that the outcome depends on: case, data, deck, solver, sources, machine, fault."""
         case = self.case
         what = [
             solver,
             sources(),
+            _machine(),
             _files(case),
             dict(case.given),
             case.deck_parameters(),
+            case.mesh_parameters(),
             case.deck_text,
             self.fault,
             self.strides,
@@ -48,12 +50,10 @@ class Variant:
 
 @cache
 def sources() -> str:
-    """A hash of every source of the package that a measured value may depend on, and of the compiler's ground."""
-    from vmharness.explicit.cache import folder
-
+    """A hash of every source of the package that a measured value may depend on, the same on every machine."""
     package = Path(vmharness.__file__).parent
     paths = (path.relative_to(package) for path in package.rglob("*.py"))
-    return digest(package, filter(counts, paths)) + folder().name
+    return digest(package, filter(counts, paths))
 
 
 def counts(path: Path) -> bool:
@@ -63,6 +63,14 @@ def counts(path: Path) -> bool:
     (True, True, False)
     """
     return path.parts[0] not in APART or path.as_posix() in MEASURING
+
+
+@cache
+def _machine() -> str:
+    """Compiler, processor and planted fault: the last bits of a value depend on them."""
+    from vmharness.explicit.cache import folder
+
+    return folder().name
 
 
 def _files(case: "Case") -> list[str]:
