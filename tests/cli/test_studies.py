@@ -5,8 +5,9 @@ import time
 
 import pytest
 
+from vmharness.backends.builtin import SOLVER
 from vmharness.case import read
-from vmharness.study import store
+from vmharness.study import store, variant
 from vmharness.study.converge import levels
 
 HALF = "levels  = [45, 90, 180, 360, 720]", "levels  = [90, 180, 360]"
@@ -43,6 +44,16 @@ def test_converge_says_the_order_and_leaves_it_for_the_page(study, here, vm):
     assert json.loads((here / "reports/VM-061/studies/converge.json").read_text()) == found
     vm("run", "VM-061")
     assert "## Convergence" in (here / "reports/VM-061/README.md").read_text()
+
+
+def test_check_names_studies_that_other_sources_made(study, here, vm, monkeypatch):
+    assert vm("converge", "VM-061")[0] == 0
+    made = json.loads((here / "reports/VM-061/studies/converge.json").read_text())["made_by"]
+    assert made == {"solver": SOLVER, "sources": variant.sources()}
+    assert "study converge" not in vm("check", "VM-061")[1]
+    monkeypatch.setattr(variant, "sources", lambda: "0123abcd" * 8)
+    line = f"doubtful: study converge: made by sources {made['sources'][:8]}, which are now 0123abcd"
+    assert line in vm("check", "VM-061")[1]
 
 
 def test_a_promise_that_is_not_kept_fails(study, vm):

@@ -11,7 +11,6 @@ def test_the_score_counts_what_changes_anything():
     found = Detection(
         "A",
         "0",
-        "builtin",
         [
             finding("one", Noticed.CAUGHT, 3.0),
             finding("two", Noticed.MISSED, 0.5),
@@ -24,19 +23,13 @@ def test_the_score_counts_what_changes_anything():
 
 
 def test_a_fault_is_caught_by_the_manual_if_one_case_catches_it():
-    blind = Detection(
-        "A", "0", "builtin", [finding("k", Noticed.MISSED, 0.2), finding("friction", Noticed.UNSEEN)]
-    )
-    nearer = Detection(
-        "B", "0", "builtin", [finding("k", Noticed.MISSED, 0.7), finding("friction", Noticed.UNSEEN)]
-    )
+    blind = Detection("A", "0", [finding("k", Noticed.MISSED, 0.2), finding("friction", Noticed.UNSEEN)])
+    nearer = Detection("B", "0", [finding("k", Noticed.MISSED, 0.7), finding("friction", Noticed.UNSEEN)])
     found = coverage([blind, nearer])
     assert [(one.fault, one.share) for one in found.missed] == [("k", 0.7)]  # the nearest to being caught
     assert [one.fault for one in found.unseen] == ["friction"]
     assert found.caught == 0
-    sees = Detection(
-        "C", "0", "builtin", [finding("k", Noticed.CAUGHT, 9.0), finding("friction", Noticed.MISSED, 0.1)]
-    )
+    sees = Detection("C", "0", [finding("k", Noticed.CAUGHT, 9.0), finding("friction", Noticed.MISSED, 0.1)])
     found = coverage([blind, sees])
     assert found.missed == [sees.findings[1]]
     assert found.unseen == []
@@ -44,5 +37,5 @@ def test_a_fault_is_caught_by_the_manual_if_one_case_catches_it():
 
 
 def test_deck_faults_are_each_case_own():
-    own = Detection("A", "0", "builtin", [finding("K +1 %", Noticed.MISSED, 0.3, "deck")])
+    own = Detection("A", "0", [finding("K +1 %", Noticed.MISSED, 0.3, "deck")])
     assert coverage([own]).matrix == {}

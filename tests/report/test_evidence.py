@@ -10,7 +10,7 @@ from vmharness.report.studies import faults
 
 
 def detection(case, *findings):
-    return Detection(case.id, case.sha256, "builtin", list(findings))
+    return Detection(case.id, case.sha256, list(findings))
 
 
 @pytest.fixture
@@ -55,9 +55,9 @@ def test_a_row_of_the_index_names_the_cases_that_notice_a_fault_the_farthest_off
         return Finding("lag", "Times are late", "reading", how, "t", share)
 
     others = [
-        Detection("B", "0", "builtin", [noticed(Noticed.CAUGHT, 2.0)]),
-        Detection("C", "0", "builtin", [noticed(Noticed.CAUGHT, 70.0)]),
-        Detection("D", "0", "builtin", [noticed(Noticed.UNSEEN, 0.0)]),
+        Detection("B", "0", [noticed(Noticed.CAUGHT, 2.0)]),
+        Detection("C", "0", [noticed(Noticed.CAUGHT, 70.0)]),
+        Detection("D", "0", [noticed(Noticed.UNSEEN, 0.0)]),
     ]
     (table,) = faults.together([planted, *others]).tables
     assert list(table.head) == ["Fault", "Caught by", "Farthest off, in tolerances", "Changes without notice"]
@@ -65,7 +65,7 @@ def test_a_row_of_the_index_names_the_cases_that_notice_a_fault_the_farthest_off
         ["Times are late", "C, B", "70 ×", good.case.id],
         ["Friction pulls", "–", "–", "–"],
     ]
-    refused = Detection("E", "0", "builtin", [noticed(Noticed.CAUGHT, None)])
+    refused = Detection("E", "0", [noticed(Noticed.CAUGHT, None)])
     found = faults.together([planted, *others, refused])
     assert found.tables[0].rows[0][1:3] == ["E, C, B", "no result"]
     assert found.summary == "1 of 2"
@@ -88,9 +88,7 @@ def test_parts_are_shares_of_the_tolerance_and_drawn(good, tmp_path):
         "LS-DYNA", "computed", "states 0.001 s apart", [0.002], ["z_peak"], {"ke": "another"}, [read]
     )
     target = Column("VM65", "target", "", [], [], {}, [read])
-    record = Explanation(
-        good.case.id, good.case.sha256, "builtin", [own], [column, target], ["the mesh is fixed"]
-    )
+    record = Explanation(good.case.id, good.case.sha256, [own], [column, target], ["the mesh is fixed"])
     section.write(tmp_path, good.case.id, "explain", record)
     report.write_case(good, tmp_path)
     page = (tmp_path / good.case.id / "README.md").read_text()

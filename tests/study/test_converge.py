@@ -22,7 +22,7 @@ def planned(case, **changes):
 
 def study(case):
     found = {n: event for n, event in gather(levels(case)) if isinstance(event, Measured)}
-    return convergence(case, [found[n] for n in range(len(found))], "builtin")
+    return convergence(case, [found[n] for n in range(len(found))])
 
 
 def measured(case, error):
@@ -66,20 +66,20 @@ def test_halving_its_step_alone_is_not_asymptotic(store, short):
 
 
 def test_a_solver_of_the_first_order_does_not_agree_with_a_promised_second(short):
-    found = convergence(short, measured(short, lambda h: 0.3 * h), "other")
+    found = convergence(short, measured(short, lambda h: 0.3 * h))
     assert [result.found.order for result in found.results] == pytest.approx([1.0] * 6)
     assert not any(result.agrees for result in found.results)
     assert page.summary(found) == "not of the promised order"
 
 
 def test_a_solver_that_converges_to_something_else_leaves_theory_outside(short):
-    found = convergence(short, measured(short, lambda h: 1e-3 + 0.3 * h**3), "other")
+    found = convergence(short, measured(short, lambda h: 1e-3 + 0.3 * h**3))
     assert all(result.agrees for result in found.results)
     assert not any(result.inside for result in found.results)
 
 
 def test_exact_is_what_no_level_moves(short):
-    found = convergence(short, measured(short, lambda h: 0.0), "other")
+    found = convergence(short, measured(short, lambda h: 0.0))
     assert {result.found.kind for result in found.results} == {Kind.EXACT}
     assert all(result.agrees and result.inside for result in found.results)
     assert page.summary(found) == "exact"
@@ -88,13 +88,13 @@ def test_exact_is_what_no_level_moves(short):
 def test_a_level_that_fails_is_said(short):
     outcomes = measured(short, lambda h: h**2)
     outcomes[2] = Measured(failure="diverged")
-    found = convergence(short, outcomes, "other")
+    found = convergence(short, outcomes)
     assert {result.found.kind for result in found.results} == {Kind.NO_VALUE}
     assert "N = 180: diverged." in page.remarks(found)
 
 
 def test_the_section_of_the_page(short):
-    found = convergence(short, measured(short, lambda h: 0.3 * h**3), "other")
+    found = convergence(short, measured(short, lambda h: 0.3 * h**3))
     section = page.section(msgspec.json.encode(found), short)
     assert section.summary == "order 3.0"
     orders = section.tables[1]
@@ -122,7 +122,7 @@ def test_a_case_that_plans_no_refinement_says_so():
 
 def test_what_has_no_order_is_not_called_exact(short):
     wild = planned(short, orders={})
-    found = convergence(wild, measured(short, lambda h: (-1) ** round(1 / h) * h), "other")
+    found = convergence(wild, measured(short, lambda h: (-1) ** round(1 / h) * h))
     assert {result.found.kind for result in found.results} <= {
         Kind.OSCILLATES,
         Kind.NOT_ASYMPTOTIC,

@@ -30,7 +30,7 @@ def explain(case, fault=""):
         n: event for n, event in gather(list(runs.values()), plant=plant.plant) if isinstance(event, Measured)
     }
     outcomes = {name: done[n] for n, name in enumerate(runs)}
-    return {one.key: one for one in explanation(case, outcomes, "builtin").results}
+    return {one.key: one for one in explanation(case, outcomes).results}
 
 
 def parts(one):
@@ -74,7 +74,7 @@ def test_a_penalty_that_is_no_datum_is_told_by_twice_the_stiffness(store, coarse
 
 def test_a_failed_run_is_not_explained(coarse):
     with pytest.raises(CaseError, match="the run that is to be explained failed: it diverged"):
-        explanation(coarse, {SOUND: Measured(failure="it diverged")}, "builtin")
+        explanation(coarse, {SOUND: Measured(failure="it diverged")})
 
 
 def test_a_sequence_that_converges_is_carried_to_zero():

@@ -38,7 +38,7 @@ def studied(case, *names):
     (sound,) = run([Variant(case)])
     chosen = [fault for fault in planted(case, sound) if fault.name in names]
     assert len(chosen) == len(names)
-    found = detection(case, sound, chosen, run([fault.variant for fault in chosen]), "builtin")
+    found = detection(case, sound, chosen, run([fault.variant for fault in chosen]))
     return found, {one.fault: one for one in found.findings}
 
 
@@ -115,7 +115,7 @@ def test_a_number_of_the_model_that_nothing_depends_on_is_harmless(ball):
     ]
     refused = Measured(failure="must be positive")
     moved = [refused if "sign" in fault.name else replace(SOUND, history_sha256="b") for fault in chosen]
-    by = {one.fault: one for one in detection(ball, SOUND, chosen, moved, "builtin").findings}
+    by = {one.fault: one for one in detection(ball, SOUND, chosen, moved).findings}
     assert by["RHO 1000 times as large"].noticed is Noticed.HARMLESS
     assert by["RHO +1 %"].noticed is Noticed.HARMLESS
     assert by["SLSFAC +1 %"].noticed is Noticed.MISSED  # it follows from k, which is of the problem

@@ -36,7 +36,7 @@ def gathered(variants, what):
 
 def study(case, count=5):
     chosen, how = points(case, count, 0, None)
-    return swept(case, chosen, how, gathered, "builtin")
+    return swept(case, chosen, how, gathered)
 
 
 def loose(case):
@@ -81,7 +81,7 @@ def test_a_formula_that_is_right_at_one_point_only_is_caught(case):
 
 def test_a_point_at_which_theory_has_no_value_cannot_be_judged(case):
     chosen = [{"k": 1000.0, "h": -1.0, "g": 386.0}, {"k": 1000.0, "h": 1.0, "g": 386.0}]
-    found = swept(loose(case), chosen, "two points", gathered, "builtin")
+    found = swept(loose(case), chosen, "two points", gathered)
     assert list(found.unjudged) == [0]
     assert "[theory] t_impact" in found.unjudged[0]
     assert found.failed == []

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from vmharness.case import Case
+from vmharness.evidence.maker import Maker
 from vmharness.evidence.richardson import Kind, Richardson, richardson
 from vmharness.formula import Unit
 
@@ -53,7 +54,6 @@ class Convergence:
 
     case: str
     case_sha256: str  # of its inputs
-    solver: str
     refined: str
     size: str  # the formula
     unit: str  # of the size
@@ -61,6 +61,7 @@ class Convergence:
     because: str
     levels: list[Level]
     results: list[Refined]
+    made_by: Maker | None = None  # None in records of before it was kept
 
 
 def refined(case: Case, sizes: Sequence[float], values: Mapping[str, list[float | None]]) -> list[Refined]:

@@ -4,6 +4,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from vmharness.evidence.maker import Maker
+
 
 class Noticed(StrEnum):
     """What became of a planted fault."""
@@ -35,8 +37,8 @@ class Detection:
 
     case: str
     case_sha256: str  # of its inputs
-    solver: str
     findings: list[Finding] = field(default_factory=list)
+    made_by: Maker | None = None  # None in records of before it was kept
 
     @property
     def caught(self) -> int:

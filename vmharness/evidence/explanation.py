@@ -15,6 +15,8 @@ phase lies from the mean is left open.
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from vmharness.evidence.maker import Maker
+
 SAMPLING = "sampling"
 FALLS = 1.5  # d1/d2 of a sequence that converges: of an order above 0.58
 SLOWEST = 20.0  # d1/d2 above this is round-off in d2, or chance
@@ -74,10 +76,10 @@ class Explanation:
 
     case: str
     case_sha256: str  # of its inputs
-    solver: str
     results: list[Explained]
     columns: list[Column] = field(default_factory=list)  # published
     notes: list[str] = field(default_factory=list)  # what was not separated, and why
+    made_by: Maker | None = None  # None in records of before it was kept
 
 
 def halved(d1: float, d2: float, cause: str) -> Part:

@@ -3,6 +3,8 @@
 import math
 from dataclasses import dataclass
 
+from vmharness.evidence.maker import Maker
+
 
 @dataclass(frozen=True)
 class Worst:
@@ -32,7 +34,6 @@ class Swept:
 
     case: str
     case_sha256: str  # of its inputs
-    solver: str
     how: str  # "Latin hypercube of 200 points, seed 0"
     ranges: dict[str, tuple[float, float]]  # in the unit of each datum
     units: dict[str, str]
@@ -42,6 +43,7 @@ class Swept:
     results: list[Worst]
     unjudged: dict[int, str]  # number of the point: why it could not be judged
     failing: Failing | None  # the worst of them
+    made_by: Maker | None = None  # None in records of before it was kept
 
     @property
     def points(self) -> int:

@@ -12,6 +12,7 @@ import msgspec
 from vmharness import dropins
 from vmharness.case import Case
 from vmharness.report import atomic
+from vmharness.report.stamp import Stamp
 
 OLD = "The case was changed after this study: it is of an earlier state."
 STUDIES = "vmharness.report.studies"
@@ -46,6 +47,7 @@ class Section:
     tables: Sequence[Table] = ()
     figures: Sequence[Figure] = ()
     remarks: Sequence[str] = ()
+    made: str = ""  # what made the record that all this is from
 
 
 def write(root: Path, case: str, name: str, record: Any) -> Path:
@@ -72,12 +74,7 @@ def _section(study: ModuleType, content: bytes, case: Case, drawn: bool) -> Sect
     section: Section = study.section(content, case)
     if drawn and hasattr(study, "figures"):
         section = replace(section, figures=[*section.figures, *study.figures(content)])
-    if _is_old(content, case):
+    stamp = msgspec.json.decode(content, type=Stamp)
+    if stamp.case_sha256 not in (None, case.inputs_sha256):
         section = replace(section, text=[OLD, *section.text])
-    return section
-
-
-def _is_old(content: bytes, case: Case) -> bool:
-    """The case or its deck has changed since the study."""
-    known = msgspec.json.decode(content).get("case_sha256")
-    return known is not None and known != case.inputs_sha256
+    return replace(section, made=stamp.says)

@@ -6,6 +6,7 @@ from vmharness.case import Case, CaseError
 from vmharness.case.format import Converge
 from vmharness.evidence.convergence import Convergence, Level, refined
 from vmharness.formula import Unit
+from vmharness.study.made import maker
 from vmharness.study.measured import Measured
 from vmharness.study.variant import Variant
 
@@ -23,7 +24,7 @@ def levels(case: Case) -> list[Variant]:
     return variants
 
 
-def convergence(case: Case, outcomes: Sequence[Measured], solver: str) -> Convergence:
+def convergence(case: Case, outcomes: Sequence[Measured]) -> Convergence:
     """The record of the levels' outcomes."""
     plan = _plan(case)
     found = []
@@ -44,7 +45,6 @@ def convergence(case: Case, outcomes: Sequence[Measured], solver: str) -> Conver
     return Convergence(
         case=case.id,
         case_sha256=case.inputs_sha256,
-        solver=solver,
         refined=plan.refined,
         size=plan.size,
         unit=case.units.name(dimension),
@@ -52,6 +52,7 @@ def convergence(case: Case, outcomes: Sequence[Measured], solver: str) -> Conver
         because=plan.because,
         levels=found,
         results=refined(case, [level.size for level in found], values),
+        made_by=maker(outcomes),
     )
 
 

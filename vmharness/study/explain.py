@@ -10,6 +10,7 @@ from vmharness.evidence.faults import RUN_LENGTH
 from vmharness.evidence.richardson import Kind, Richardson, richardson
 from vmharness.study import converge
 from vmharness.study.deck import contact_scales, with_step, with_stiffer_contacts
+from vmharness.study.made import maker
 from vmharness.study.measured import Measured
 from vmharness.study.variant import Variant
 
@@ -33,7 +34,7 @@ def variants(case: Case) -> dict[str, Variant]:
     return found | {variant.label: variant for variant in _meshes(case)}
 
 
-def explanation(case: Case, outcomes: Mapping[str, Measured], solver: str) -> Explanation:
+def explanation(case: Case, outcomes: Mapping[str, Measured]) -> Explanation:
     """The split of every result that has a value; raises CaseError where the run as it is has not even one."""
     sound = outcomes[SOUND]
     if sound.failure:
@@ -56,7 +57,8 @@ def explanation(case: Case, outcomes: Mapping[str, Measured], solver: str) -> Ex
         open_ = [one.key for one in results if MESH not in [part.cause for part in one.parts]]
         if open_:
             notes.append(f"the mesh is not separated for {', '.join(open_)}: the sequence has no limit yet")
-    return Explanation(case.id, case.inputs_sha256, solver, results, notes=notes)
+    made_by = maker(outcomes.values())
+    return Explanation(case.id, case.inputs_sha256, results, notes=notes, made_by=made_by)
 
 
 def _explained(case: Case, key: str, outcomes: Mapping[str, Measured]) -> Explained:

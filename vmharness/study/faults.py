@@ -10,6 +10,7 @@ from vmharness.case import Case
 from vmharness.evidence import plant
 from vmharness.evidence.detection import Detection, Finding, Noticed
 from vmharness.study.deck_faults import OTHER_SIGN, Planted, is_of_model, parameter_faults, support_faults
+from vmharness.study.made import maker
 from vmharness.study.measured import Measured
 from vmharness.study.variant import Variant
 
@@ -39,7 +40,7 @@ def solver_faults(case: Case) -> list[Planted]:
 
 
 def detection(
-    case: Case, sound: Measured, faults: Sequence[Planted], outcomes: Sequence[Measured], solver: str
+    case: Case, sound: Measured, faults: Sequence[Planted], outcomes: Sequence[Measured]
 ) -> Detection:
     """What the results of a case make of each fault, and of those that its deck has nothing of, which are not run."""
     found = [finding(fault, sound, outcome) for fault, outcome in zip(faults, outcomes, strict=True)]
@@ -53,7 +54,7 @@ def detection(
         else one
         for one in found
     ]
-    return Detection(case.id, case.inputs_sha256, solver, found)
+    return Detection(case.id, case.inputs_sha256, found, maker([sound]))
 
 
 def _is_idle(case: Case, name: str, found: Sequence[Finding]) -> bool:

@@ -38,6 +38,7 @@ class Measured:
     seconds: float = 0.0
     history_sha256: str = ""  # equal where every channel is the same to the last bit
     thinned: dict[int, dict[str, list[float | None]]] = field(default_factory=dict)  # by stride: see phases()
+    solver: str = ""  # name and version; empty where a run was lost
     cached: bool = False  # found on disk, and not run
 
     @property
@@ -71,6 +72,7 @@ def measured(run: "CaseRun", strides: Sequence[int] = ()) -> Measured:
         cycles=solution.cycles,
         seconds=run.seconds,
         history_sha256=_sha256(solution.history) if solution.history else "",
+        solver=solution.solver,
         thinned={n: phases(run.case, fine, n) for n in strides} if fine else {},
     )
 

@@ -10,6 +10,7 @@ from vmharness.evidence.sample import Point
 from vmharness.evidence.shrink import shrink
 from vmharness.evidence.swept import Failing, Swept, Worst, worst_share
 from vmharness.formula import FormulaError
+from vmharness.study.made import maker
 from vmharness.study.measured import Measured
 from vmharness.study.variant import Variant
 from vmharness.suite.settings import as_options, with_settings
@@ -43,9 +44,7 @@ def points(case: Case, count: int | None, seed: int, grid: int | None) -> tuple[
     return found, how
 
 
-def swept(
-    case: Case, found: Sequence[Point], how: str, gather: Gather, solver: str, again: str = ""
-) -> Swept:
+def swept(case: Case, found: Sequence[Point], how: str, gather: Gather, again: str = "") -> Swept:
     """The record of the points' outcomes, with the worst failing one shrunk; `gather` runs variants.
 
     `again` is the command that runs the case alone.
@@ -56,7 +55,6 @@ def swept(
     record = Swept(
         case=case.id,
         case_sha256=case.inputs_sha256,
-        solver=solver,
         how=how,
         ranges=dict(plan.ranges),
         units={name: case.file.given[name].unit for name in plan.ranges},
@@ -66,6 +64,7 @@ def swept(
         results=[_worst(key, label, found, outcomes) for key, label in labels.items()],
         unjudged={number: outcome.failure for number, outcome in enumerate(outcomes) if outcome.failure},
         failing=None,
+        made_by=maker(outcomes),
     )
     return replace(record, failing=_shrunk(case, record, found, gather, again)) if record.failed else record
 

@@ -10,6 +10,7 @@ from vmharness.cli.selection import selected, selecting
 from vmharness.suite import last_run
 from vmharness.suite.check import Review, check
 from vmharness.suite.outcome import EXIT_CODES, NOTHING_SELECTED, Status
+from vmharness.suite.select import Entry
 
 REPORTS = Path("reports")
 
@@ -23,7 +24,8 @@ def command(
     """Check case files, decks and tolerances; run nothing.
 
     The schema, units, formulas, channels and faults are checked, too. Tolerances are held against the errors of the
-    last run of which reports/ has a record.
+    last run of which reports/ has a record; studies there that other sources made, or another state of the case, are
+    named.
 
     SELECT is an id, a pattern such as 'VM-0*', or the path of a case folder.
     """
@@ -34,6 +36,7 @@ def command(
     errors, reviews = last_run.errors(REPORTS), {}
     for case in found:
         review = reviews[case.id] = check(case.folder, errors.get(case.id))
+        review.doubtful += _stale(case)
         say(f"{case.id}: {'wrong' if review.wrong else 'ok'}")
         for sentence in review.wrong:
             say(f"  {sentence}")
@@ -43,6 +46,16 @@ def command(
         _write(json, reviews)
     sound = not unknown and not any(review.wrong for review in reviews.values())
     return 0 if sound else EXIT_CODES[Status.BROKEN]
+
+
+def _stale(case: Entry) -> list[str]:
+    """Studies in reports/ that would have to be made anew."""
+    from vmharness.case.digest import inputs
+    from vmharness.report.section import FOLDER
+    from vmharness.report.stamp import stale
+    from vmharness.study.variant import sources
+
+    return stale(REPORTS / case.id / FOLDER, inputs(case.folder), sources())
 
 
 def _write(path: Path, reviews: dict[str, Review]) -> None:

@@ -37,7 +37,7 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
     except CaseError as error:
         complain(str(error))
         return EXIT_CODES[Status.BROKEN]
-    found = convergence(case, gathered(variants, how, f"converge {case.id}"), how.solver)
+    found = convergence(case, gathered(variants, how, f"converge {case.id}"))
     _show(found)
     write_record(out, case.id, "converge", found, json)
     if any(level.failure for level in found.levels):

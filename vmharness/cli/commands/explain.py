@@ -38,7 +38,7 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
         case = one(selector, cases)
         runs = variants(case)
         outcomes = gathered(list(runs.values()), how, f"explain {case.id}")
-        found = explanation(case, dict(zip(runs, outcomes, strict=True)), how.solver)
+        found = explanation(case, dict(zip(runs, outcomes, strict=True)))
     except CaseError as error:
         complain(str(error))
         return EXIT_CODES[Status.BROKEN]

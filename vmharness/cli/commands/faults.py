@@ -68,8 +68,7 @@ def _detections(cases: "list[Case]", how: How) -> "tuple[list[Detection], int]":
     variants = [fault.variant for *_, faults in plans for fault in faults]
     outcomes = iter(gathered(variants, how, "planted faults", plant))
     found = [
-        detection(case, outcome, faults, [next(outcomes) for _ in faults], how.solver)
-        for case, outcome, faults in plans
+        detection(case, outcome, faults, [next(outcomes) for _ in faults]) for case, outcome, faults in plans
     ]
     return found, len(cases) - len(plans)
 

@@ -59,7 +59,6 @@ def command(
             chosen,
             words,
             lambda variants, what: gathered(variants, how, f"{case.id}: {what}", workers=workers),
-            how.solver,
             again([Entry(case.folder)], options)[case.id],
         )
     for table in tables(found):
