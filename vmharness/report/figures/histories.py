@@ -1,5 +1,6 @@
 """Computed history with theory over it, events marked, and the difference below."""
 
+from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -8,7 +9,7 @@ from vmharness.events import Event
 from vmharness.report.figures import svg
 from vmharness.report.figures.characters import ten_to, unit
 from vmharness.report.figures.curves import Curve
-from vmharness.report.figures.key import Entry, key
+from vmharness.report.figures.key import Entry, columns, key_below
 from vmharness.report.figures.note import note
 from vmharness.result import CaseRun
 
@@ -20,9 +21,11 @@ COLOURS = ("#0b5394", "#b45309", "#3f7d20", "#7b3294", "#444444")  # apart in pr
 MARKERS = ("o", "s", "D", "^", "v")
 THEORY_EVERY = 12
 QUIET, INK = "#5b6670", "#1b2733"
-LETTER = 0.011  # width of a letter of an event's title, as a fraction of the axes
+LETTER = 0.011  # width of a letter of a title, as a fraction of the axes
+LINE = 85  # letters of the axes' own title, which is of more lines where it is longer
+IN_A_ROW = 3  # entries of the key
 TITLE = 24 / 72  # inches from the title of an event to that above it
-TITLED = 0.3  # of the axes, where their own title stands
+TITLED = 0.3  # of the axes, where at least their own title stands
 
 
 def draw(run: CaseRun, name: str, together: list[Curve], solver: str) -> str:
@@ -31,9 +34,12 @@ def draw(run: CaseRun, name: str, together: list[Curve], solver: str) -> str:
 
     with svg.style(f"{run.case.id}-{name}"):
         entries = _entries(together, solver)
-        rows = [entries[first : first + 3] for first in range(0, len(entries), 3)]
-        under = 0.57 + 0.22 * len(rows)  # inches: labels of time, and the rows of the key
-        places = _places(run, float(together[0].time[0]), float(together[0].time[-1]))
+        side_by_side = columns([label for label, _ in entries], IN_A_ROW)
+        under = 0.57 + 0.22 * -(
+            -len(entries) // side_by_side
+        )  # inches: labels of time, and the rows of the key
+        title = _titled(quantity(run, together), unit(together[0].unit))
+        places = _places(run, float(together[0].time[0]), float(together[0].time[-1]), title)
         rest = 4.3 + under  # inches: all but what titles of events need beyond two rows
         height = rest + TITLE * max((level - 1 for *_, level in places if level), default=0)
         figure = Figure(figsize=(6.6, height))
@@ -42,11 +48,10 @@ def draw(run: CaseRun, name: str, together: list[Curve], solver: str) -> str:
         _values(above, together)
         _residuals(below, together)
         _events(above, below, run, places)
-        _title(above, quantity(run, together), unit(together[0].unit))
+        _title(above, title)
         time = f"Time ({run.case.file.units.time})"
         note(below, time, (1.0, 0.0), (0, -26), xycoords="axes fraction", ha="right", color=INK)
-        for number, row in enumerate(reversed(rows)):
-            key(figure, row, start=(43.0, 12.0 + 16.0 * number), step=(143.0, 0.0))
+        key_below(figure, entries, side_by_side)
         labels = ", ".join(curve.label.lower() for curve in together)
         return svg.text(figure, f"Computed and theoretical history: {labels}")
 
@@ -66,7 +71,19 @@ def quantity(run: CaseRun, together: list[Curve]) -> str:
     """What the curves of a figure are, together."""
     if len(together) > 1 and all(run.case.file.channels[curve.channel].energy for curve in together):
         return "Energy"
-    return ", ".join(curve.label for curve in together)
+    return joined([curve.label for curve in together])
+
+
+def joined(labels: list[str]) -> str:
+    """Labels one after the other, without the words that all begin with after the first.
+
+    >>> joined(["Displacement of the front end", "Displacement of the free end"]), joined(["Kinetic", "Potential"])
+    ('Displacement of the front end, free end', 'Kinetic, Potential')
+    """
+    words = [label.split() for label in labels]
+    shortest = min(map(len, words))
+    same = next((n for n in range(shortest - 1) if len({each[n] for each in words}) > 1), shortest - 1)
+    return ", ".join([labels[0], *(" ".join(each[same:]) for each in words[1:])])
 
 
 def _entries(together: list[Curve], solver: str) -> list[Entry]:
@@ -118,14 +135,18 @@ def _residuals(axes: "Axes", together: list[Curve]) -> None:
             )
     limit = 1.2 * max(reach) * scale or 1.0
     axes.set_ylim(-limit, limit)
-    _title(axes, "Difference from theory", " ".join(filter(None, [ten_to(power), unit(together[0].unit)])))
+    scaled = " ".join(filter(None, [ten_to(power), unit(together[0].unit)]))
+    _title(axes, _titled("Difference from theory", scaled))
     axes.locator_params(axis="y", nbins=5)
 
 
-def _places(run: CaseRun, first: float, last: float) -> list[tuple[str, Event, float, int]]:
-    """Name and event; where its title stands along the axes, as a fraction, and in which row: the lowest with room."""
+def _places(run: CaseRun, first: float, last: float, title: str) -> list[tuple[str, Event, float, int]]:
+    """Name and event; where its title stands along the axes, as a fraction, and in which row: the lowest with room.
+
+    In the lowest row, which has room for two lines, the axes' own `title` comes first.
+    """
     found = {name: event for name, event in run.events.items() if isinstance(event, Event)}
-    places, reached = [], [TITLED]
+    places, reached = [], [max(TITLED, LETTER * max(map(len, title.split("\n"))))]
     for name, event in sorted(found.items(), key=lambda item: item[1].time):
         half = LETTER * max(len(run.case.file.events[name].title), 10) / 2
         middle = min((float(f"{event.time:.6g}") - first) / (last - first), 1.02 - half)
@@ -153,7 +174,11 @@ def _events(above: "Axes", below: "Axes", run: CaseRun, places: list[tuple[str, 
         )
 
 
-def _title(axes: "Axes", what: str, unit_text: str) -> None:
+def _titled(what: str, unit_text: str) -> str:
+    """What a vertical axis is, with its unit, in lines that fit the axes."""
+    return fill(f"{what} ({unit_text})" if unit_text else what, LINE)
+
+
+def _title(axes: "Axes", title: str) -> None:
     """What the vertical axis is, on top of it."""
-    title = f"{what} ({unit_text})" if unit_text else what
     note(axes, title, (0.0, 1.0), (0, 7), xycoords="axes fraction", color=INK)

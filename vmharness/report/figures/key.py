@@ -4,7 +4,7 @@ A legend of matplotlib is laid out by the size of its letters, which is up to th
 where it is put.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from vmharness.report.figures.note import MIDDLE, note
@@ -14,6 +14,26 @@ if TYPE_CHECKING:
 
 Entry: TypeAlias = tuple[str, dict[str, Any]]  # what it is, and how its line and mark are drawn
 SAMPLE = 20.0  # length of a line in the key, in points
+LEFT, WIDTH = 43.0, 432.0  # of a key below a drawing, in points
+LETTER = 4.4  # width of a letter, in points, where many stand together
+ROW = 16.0  # points
+
+
+def columns(labels: Iterable[str], most: int) -> int:
+    """How many entries stand side by side below a drawing: at most `most`, fewer where the longest label needs room.
+
+    >>> columns(["z", "v"], 3), columns(["Displacement of the front end", "z"], 3), columns(["z" * 60], 3)
+    (3, 2, 1)
+    """
+    needed = SAMPLE + 8.0 + LETTER * max(map(len, labels), default=0)
+    return max(1, min(most, int(WIDTH / needed)))
+
+
+def key_below(figure: "Figure", entries: Sequence[Entry], side_by_side: int) -> None:
+    """Write the entries in rows from the left, the last of them at the lower edge."""
+    rows = [entries[first : first + side_by_side] for first in range(0, len(entries), side_by_side)]
+    for number, row in enumerate(reversed(rows)):
+        key(figure, row, start=(LEFT, 12.0 + ROW * number), step=(WIDTH / side_by_side, 0.0))
 
 
 def key(

@@ -8,7 +8,7 @@ from vmharness.evidence.convergence import Convergence, Refined
 from vmharness.report.figures import svg
 from vmharness.report.figures.characters import ten_to, unit
 from vmharness.report.figures.histories import COLOURS, INK, MARKERS, QUIET
-from vmharness.report.figures.key import Entry, key
+from vmharness.report.figures.key import Entry, columns, key_below
 from vmharness.report.figures.note import note
 
 if TYPE_CHECKING:
@@ -22,7 +22,8 @@ def draw(found: Convergence) -> str:
     from matplotlib.figure import Figure
 
     shown = [result for result in found.results if errors(found, result)]
-    rows = -(-len(shown) // IN_A_ROW)
+    side_by_side = columns([result.key for result in shown], IN_A_ROW)
+    rows = -(-len(shown) // side_by_side)
     with svg.style(f"{found.case}-convergence"):
         under = 0.57 + 0.22 * rows  # inches: labels of the size, and the key
         height = 3.4 + under
@@ -37,9 +38,7 @@ def draw(found: Convergence) -> str:
         in_unit = f" ({unit(found.unit)})" if found.unit else ""
         note(axes, f"{what}{in_unit}", (1.0, 0.0), (0, -26), xycoords="axes fraction", ha="right", color=INK)
         note(axes, "Distance from theory, as a fraction of it", (0.0, 1.0), (0, 7), xycoords="axes fraction")
-        for row in range(rows):
-            part = entries[row * IN_A_ROW : (row + 1) * IN_A_ROW]
-            key(figure, part, start=(43.0, 12.0 + 16.0 * (rows - 1 - row)), step=(108.0, 0.0))
+        key_below(figure, entries, side_by_side)
         return svg.text(figure, "Distance of the results from theory over the size")
 
 

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from vmharness.report.figures import svg
 from vmharness.report.figures.histories import COLOURS, INK, QUIET
-from vmharness.report.figures.key import key
+from vmharness.report.figures.key import columns, key_below
 from vmharness.report.figures.note import MIDDLE, note
 
 if TYPE_CHECKING:
@@ -19,7 +19,8 @@ def draw(name: str, bars: Mapping[str, Mapping[str, float]], causes: Sequence[st
     """SVG of the parts by label, then by cause; `what` they are fractions of, in percent. A diamond marks the sum."""
     from matplotlib.figure import Figure
 
-    keys = -(-len(causes) // IN_A_ROW)
+    side_by_side = columns(causes, IN_A_ROW)
+    keys = -(-len(causes) // side_by_side)
     under, above = 0.55 + 0.22 * keys, ROW * len(bars) + 0.25
     with svg.style(name):
         height = under + above
@@ -34,11 +35,8 @@ def draw(name: str, bars: Mapping[str, Mapping[str, float]], causes: Sequence[st
             _bar(axes, -row, label, parts, causes)
         axes.set_ylim(0.6 - len(bars), 0.6)
         note(axes, what, (1.0, 0.0), (0, -26), xycoords="axes fraction", ha="right", color=INK)
-        for row in range(keys):
-            part = list(causes)[row * IN_A_ROW : (row + 1) * IN_A_ROW]
-            styles = [{"color": _colour(causes, cause), "linewidth": 7.0} for cause in part]
-            entries = list(zip(part, styles, strict=True))
-            key(figure, entries, start=(43.0, 12.0 + 16.0 * (keys - 1 - row)), step=(145.0, 0.0))
+        styles = [{"color": _colour(causes, cause), "linewidth": 7.0} for cause in causes]
+        key_below(figure, list(zip(causes, styles, strict=True)), side_by_side)
         return svg.text(figure, f"Parts of the differences, {what[0].lower()}{what[1:]}")
 
 
