@@ -212,7 +212,7 @@ def test_published_difference_is_told_apart_into_explained_and_not(good, tmp_pat
     assert "prints 1 of the 2 figures of the LS-DYNA column" in markdown
     assert "Not explained by it: Kinetic Energy at impact." in markdown
     kinetic = table_after(markdown, "Where the published difference")[3]
-    assert kinetic[-1] == "no; at 0.072 it is 193.099: yes"
+    assert kinetic[-1] == "✗ no; at 0.072 it is 193.099: ✓ yes"
 
 
 def test_the_head_of_a_row_tells_the_verdict_where_its_column_is_off_the_screen(failed, tmp_path):

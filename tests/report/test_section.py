@@ -4,7 +4,7 @@ import pytest
 
 from vmharness import dropins, report
 from vmharness.report import section
-from vmharness.report.section import Figure, Section, Table
+from vmharness.report.section import Figure, Section, Studies, Table
 
 
 @dataclass
@@ -66,17 +66,20 @@ def test_the_index_says_it_in_a_few_words(good, tmp_path, study, monkeypatch):
 
 def test_a_study_of_another_state_of_the_case_says_so(good, tmp_path, study):
     left(tmp_path, good.case)
-    assert section.sections(good.case, tmp_path / good.case.id)[0].text == ["Some <text>."]
+    assert section.studies(good.case, tmp_path / good.case.id).sections[0].text == ["Some <text>."]
     left(tmp_path, good.case, case_sha256="0" * 64)
-    assert section.sections(good.case, tmp_path / good.case.id)[0].text == [section.OLD, "Some <text>."]
+    assert section.studies(good.case, tmp_path / good.case.id).sections[0].text == [
+        section.OLD,
+        "Some <text>.",
+    ]
 
 
 def test_other_data_than_the_case_s_have_no_studies(good, tmp_path, study):
     left(tmp_path, good.case)
     other = good.case.with_given({"k": 2000.0})
-    assert section.sections(other, tmp_path / good.case.id) == []
+    assert section.studies(other, tmp_path / good.case.id) == Studies([], {})
 
 
 def test_a_record_of_another_version_is_left_out(good, tmp_path):
     path = section.write(tmp_path, good.case.id, "converge", Record({}))
-    assert section.sections(good.case, path.parents[1]) == []
+    assert section.studies(good.case, path.parents[1]) == Studies([], {})

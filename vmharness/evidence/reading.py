@@ -16,6 +16,9 @@ from vmharness.history import History
 from vmharness.measure import value_at
 from vmharness.result import Reading
 
+LAST = "each the last cycle not after its time"
+FIRST = "the first that shows the event"
+
 
 def readings(case: Case, history: History) -> dict[str, tuple[Reading, ...]]:
     """For each published column that declares an interval: its values beside our history read that way."""
@@ -40,12 +43,12 @@ def _column(case: Case, history: History, column: Published, interval: float) ->
     for result in case.file.results:
         if result.key not in column.values:
             continue
-        state = state_of(case.file.events[result.event], sampled)
-        if state is None:
+        found = read_off(case, sampled, result.key)
+        if found is None:
             continue
+        at, read = found
         factor = case.units.factor(Unit(result.unit))
         text = column.values[result.key]
-        read = float(sampled[result.channel][state]) / factor
         other = None
         if (t := column.exactly_at.get(result.key)) is not None and t <= history.time[-1]:
             other = (t, value_at(history, result.channel, t) / factor)
@@ -56,7 +59,7 @@ def _column(case: Case, history: History, column: Published, interval: float) ->
                 unit=result.unit,
                 published=text,
                 read=read,
-                at=float(sampled.time[state]),
+                at=at,
                 same=prints_as(read, text),
                 target=case.target(result.key) / factor,
                 other=other,
@@ -64,6 +67,32 @@ def _column(case: Case, history: History, column: Published, interval: float) ->
             )
         )
     return tuple(rows)
+
+
+def last_cycles(interval: float, unit: str) -> str:
+    """In words, how `readings` reads."""
+    return said(interval, unit, LAST, FIRST)
+
+
+def said(interval: float, unit: str, written: str, taken: str) -> str:
+    """A reading in words: of states an interval apart, how each is written, and which is taken for an event."""
+    return f"states {interval:g} {unit} apart, {written}; {taken}"
+
+
+def read_off(case: Case, sampled: History, key: str, before: int = 0) -> tuple[float, float] | None:
+    """Time of the state that a reader without interpolation takes for a result, and its value in the result's unit.
+
+    An onset is taken `before` states early; None where no state shows the event.
+    """
+    result = case.result(key)
+    event = case.file.events[result.event]
+    state = state_of(event, sampled)
+    if state is None:
+        return None
+    if event.onset_of is not None:
+        state = max(state - before, 0)
+    factor = case.units.factor(Unit(result.unit))
+    return float(sampled.time[state]), float(sampled[result.channel][state]) / factor
 
 
 def state_of(event: Event, sampled: History) -> int | None:

@@ -13,9 +13,8 @@ import numpy as np
 
 from vmharness.case import Case
 from vmharness.case.format import Published
-from vmharness.evidence.reading import prints_as, state_of, states
+from vmharness.evidence.reading import FIRST, LAST, prints_as, read_off, said, states
 from vmharness.evidence.thinning import read_all
-from vmharness.formula import Unit
 from vmharness.history import History
 
 STEPS = (1.0, 2.0, 2.5, 5.0)  # of the intervals that people choose, times a power of ten
@@ -28,23 +27,26 @@ class Reading:
     """One way to read a history, and what it gives."""
 
     interval: float  # consistent units; 0 for the whole history, read between its samples
-    method: str
+    written: str  # when the states are
+    taken: str  # which of them is taken for an event; empty for the whole history
     values: Mapping[str, float]  # by key, in the results' units
     same: tuple[str, ...]  # keys whose printed digits it gives
     also: tuple[float, ...] = ()  # other intervals that give just as many, read the same way
 
     def says(self, unit: str) -> str:
         """The reading in words."""
-        if self.interval == 0.0:
-            return self.method
-        return f"states {self.interval:g} {unit} apart, {self.method}"
+        return said(self.interval, unit, self.written, self.taken) if self.interval else self.written
 
 
 def best(case: Case, history: History, column: Published) -> Reading:
     """The reading that gives most of the column; the whole history, read properly, if none gives more than that."""
     found = [plain(case, history, column), *_all(case, history, column, list(column.values))]
     chosen = max(found, key=_worth)
-    alike = [one for one in found if one.method == chosen.method and len(one.same) == len(chosen.same)]
+    alike = [
+        one
+        for one in found
+        if (one.written, one.taken) == (chosen.written, chosen.taken) and len(one.same) == len(chosen.same)
+    ]
     return replace(chosen, also=tuple(one.interval for one in alike if one.interval != chosen.interval))
 
 
@@ -58,7 +60,7 @@ def rest(case: Case, history: History, column: Published, but: Reading) -> Readi
 def plain(case: Case, history: History, column: Published) -> Reading:
     """Every result found between the samples of the whole history."""
     values = {key: value for key, value in read_all(case, history).items() if value is not None}
-    return _judged(0.0, "every cycle, read between samples", values, column, list(column.values))
+    return _judged(0.0, "every cycle, read between samples", "", values, column, list(column.values))
 
 
 def intervals(history: History) -> Iterator[float]:
@@ -83,31 +85,22 @@ def _all(case: Case, history: History, column: Published, keys: list[str]) -> It
     for interval in intervals(history):
         for how, written in WRITTEN.items():
             sampled = written(history, interval)
-            for which, before in (("the first that shows the event", 0), ("the last before the event", 1)):
+            for which, before in ((FIRST, 0), ("the last before the event", 1)):
                 values = _values(case, sampled, keys, before)
-                yield _judged(interval, f"{how}; {which}", values, column, keys)
+                yield _judged(interval, how, which, values, column, keys)
 
 
 def _judged(
-    interval: float, method: str, values: Mapping[str, float], column: Published, keys: list[str]
+    interval: float, written: str, taken: str, values: Mapping[str, float], column: Published, keys: list[str]
 ) -> Reading:
     same = tuple(key for key in keys if key in values and prints_as(values[key], column.values[key]))
-    return Reading(interval, method, values, same)
+    return Reading(interval, written, taken, values, same)
 
 
 def _values(case: Case, sampled: History, keys: list[str], before: int) -> dict[str, float]:
-    """The states of the events, as a reader without interpolation takes them; an onset may be taken one state early."""
-    found = {}
-    for key in keys:
-        result = case.result(key)
-        event = case.file.events[result.event]
-        state = state_of(event, sampled)
-        if state is None:
-            continue
-        if event.onset_of is not None:
-            state = max(state - before, 0)
-        found[key] = float(sampled[result.channel][state]) / case.units.factor(Unit(result.unit))
-    return found
+    """The results, as a reader without interpolation takes them; an onset may be taken one state early."""
+    found = {key: read_off(case, sampled, key, before) for key in keys}
+    return {key: read[1] for key, read in found.items() if read is not None}
 
 
 def _last_cycle(history: History, interval: float) -> History:
@@ -133,7 +126,7 @@ def _nominal(history: History, interval: float) -> np.ndarray:
 
 
 WRITTEN: dict[str, Callable[[History, float], History]] = {
-    "each the last cycle not after its time": _last_cycle,
+    LAST: _last_cycle,
     "each at its very time": _exactly,
     "each the first cycle not before its time": _next_cycle,
 }

@@ -19,13 +19,13 @@ def write_case(run: CaseRun, folder: Path, volatile: bool = True, indexed: bool 
     """
     from vmharness.report.page import page
     from vmharness.report.prose import pictures
-    from vmharness.report.section import sections
+    from vmharness.report.section import studies
 
     indexed = indexed or all((folder / form.FILE).is_file() for form in dropins.modules(PAGES))
     to = folder / run.case.id
-    content = page(run, volatile, indexed, sections(run.case, to))
+    content = page(run, volatile, indexed, studies(run.case, to))
     texts = {to / form.FILE: form.case(content, to) for form in dropins.modules(PAGES)}
-    studied = [figure for section in content.studies for figure in section.figures]
+    studied = [figure for each in (*content.published.values(), *content.studies) for figure in each.figures]
     for figure in filter(None, [content.model, *content.histories, *studied]):
         texts[to / f"{figure.name}.svg"] = figure.svg
     for name, picture in pictures(run.case).items():
@@ -38,14 +38,11 @@ def write_case(run: CaseRun, folder: Path, volatile: bool = True, indexed: bool 
 def write_index(runs: list[CaseRun], folder: Path, unrun: Sequence[Unrun] = ()) -> list[Path]:
     """Write the index over `runs`, and the cases without one, into `folder` in every format; raises OSError."""
     from vmharness.report.index import index
-    from vmharness.report.section import sections
+    from vmharness.report.section import summaries
     from vmharness.report.studies import faults
 
-    studies = {
-        run.case.id: [section.summary for section in sections(run.case, folder / run.case.id, drawn=False)]
-        for run in runs
-    }
-    content = index(runs, unrun, studies, faults.manual([run.case for run in runs], folder))
+    studied = {run.case.id: summaries(run.case, folder / run.case.id) for run in runs}
+    content = index(runs, unrun, studied, faults.manual([run.case for run in runs], folder))
     texts = {folder / form.FILE: form.index(content) for form in dropins.modules(PAGES)}
     return [atomic.write(path, text) for path, text in texts.items()]
 

@@ -9,10 +9,11 @@ from vmharness.evidence.faults import Move, moves
 from vmharness.evidence.sensitivity import Sensitivity, sensitivities
 from vmharness.evidence.tolerance import budget_lines, review_measured
 from vmharness.formula import Formula, Unit
+from vmharness.report import published
 from vmharness.report.figures import histories, model
 from vmharness.report.figures.curves import Curve, curves
 from vmharness.report.prose import sections
-from vmharness.report.section import Figure, Section
+from vmharness.report.section import Figure, Section, Studies
 from vmharness.report.solver import short_name
 from vmharness.result import CaseRun, Row
 
@@ -63,13 +64,15 @@ class Page:
     sensitivity: Mapping[str, Mapping[str, Sensitivity]]  # by datum, then by key of the result
     model: Figure | None
     histories: list[Figure]
+    published: Mapping[str, Section]  # by name of the column
     studies: Sequence[Section]
     volatile: bool  # whether what varies from run to run may be shown
     indexed: bool  # whether an index lies in the folder above
 
 
-def page(run: CaseRun, volatile: bool = True, indexed: bool = False, studies: Sequence[Section] = ()) -> Page:
+def page(run: CaseRun, volatile: bool = True, indexed: bool = False, studies: Studies | None = None) -> Page:
     """Everything on the page of a run; figures are drawn here, once for all formats."""
+    studies = studies or Studies()
     case, solver = run.case, short_name(run.solution.solver)
     return Page(
         run=run,
@@ -85,7 +88,8 @@ def page(run: CaseRun, volatile: bool = True, indexed: bool = False, studies: Se
         sensitivity=sensitivities(case),
         model=_model(run),
         histories=_histories(run, solver),
-        studies=studies,
+        published=published.sections(run, studies.columns),
+        studies=studies.sections,
         volatile=volatile,
         indexed=indexed,
     )

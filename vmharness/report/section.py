@@ -1,8 +1,8 @@
 """What a study leaves beside a case's page, and how the page shows it."""
 
 import contextlib
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -50,30 +50,58 @@ class Section:
     made: str = ""  # what made the record that all this is from
 
 
+@dataclass(frozen=True)
+class Studies:
+    """All that studies say on a page: sections of their own, and what they found of published columns, by name."""
+
+    sections: Sequence[Section] = ()
+    columns: Mapping[str, Section] = field(default_factory=dict)
+
+
 def write(root: Path, case: str, name: str, record: Any) -> Path:
     """Leave the record of a study (a dataclass) for the page of a case; the same record makes the same bytes."""
     content = msgspec.json.format(msgspec.json.encode(record), indent=1)
     return atomic.write(root / case / FOLDER / f"{name}.json", content.decode() + "\n")
 
 
-def sections(case: Case, folder: Path, drawn: bool = True) -> list[Section]:
+def studies(case: Case, folder: Path) -> Studies:
     """What the studies left in `folder`, where the page of the case lies; nothing for other data than the case's.
 
-    A record that cannot be read, because it is of another version, is left out; drawings are unless `drawn`.
+    A record that cannot be read, because it is of another version, is left out.
     """
+    found: list[Section] = []
+    columns: dict[str, Section] = {}
+    for study, content in _records(case, folder):
+        with contextlib.suppress(msgspec.MsgspecError):
+            section: Section = study.section(content, case)
+            if hasattr(study, "figures"):
+                section = replace(section, figures=[*section.figures, *study.figures(content)])
+            found.append(_stamped(section, content, case))
+            if hasattr(study, "columns"):
+                told = study.columns(content, case)
+                columns |= {name: _stamped(about, content, case) for name, about in told.items()}
+    return Studies(found, columns)
+
+
+def summaries(case: Case, folder: Path) -> list[str]:
+    """What each study found, in a few words; nothing is drawn."""
     found = []
-    for name in [] if case.changed else dropins.names(STUDIES):
-        path = folder / FOLDER / f"{name}.json"
-        if path.is_file():
-            with contextlib.suppress(msgspec.MsgspecError):
-                found.append(_section(dropins.module(STUDIES, name), path.read_bytes(), case, drawn))
+    for study, content in _records(case, folder):
+        with contextlib.suppress(msgspec.MsgspecError):
+            found.append(study.section(content, case).summary)
     return found
 
 
-def _section(study: ModuleType, content: bytes, case: Case, drawn: bool) -> Section:
-    section: Section = study.section(content, case)
-    if drawn and hasattr(study, "figures"):
-        section = replace(section, figures=[*section.figures, *study.figures(content)])
+def _records(case: Case, folder: Path) -> Iterator[tuple[ModuleType, bytes]]:
+    """The record of each study that left one, with the module that knows it."""
+    for name in [] if case.changed else dropins.names(STUDIES):
+        path = folder / FOLDER / f"{name}.json"
+        if path.is_file():
+            yield dropins.module(STUDIES, name), path.read_bytes()
+
+
+def _stamped(section: Section, content: bytes, case: Case) -> Section:
+    """With what made the record, and whether the case or its deck has changed since."""
     stamp = msgspec.json.decode(content, type=Stamp)
     if stamp.case_sha256 not in (None, case.inputs_sha256):
         section = replace(section, text=[OLD, *section.text])

@@ -6,7 +6,7 @@ from vmharness.compare import Verdict
 from vmharness.evidence.sensitivity import Sensitivity, smallest_seen
 from vmharness.report.number import DASH, decimals, given, positional, share
 from vmharness.report.page import Page, PlantedFault, worst_row
-from vmharness.result import CaseRun, Reading
+from vmharness.result import CaseRun
 
 SIGNS = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.ERROR: "!"}
 
@@ -71,21 +71,3 @@ def seen(page: Page, datum: str) -> str:
     """From which error of a datum in the deck on a result fails, and which."""
     smallest = smallest_seen(page.sensitivity[datum])
     return f"{positional(smallest[1], 2)} %, by {smallest[0]}" if smallest else DASH
-
-
-def reading_name(run: CaseRun, reading: Reading) -> str:
-    """What was read, and when."""
-    return f"{reading.label} {run.case.file.events[run.case.result(reading.key).event].title.lower()}"
-
-
-def explained(run: CaseRun, column: str) -> str:
-    """How much of a published column its way of reading accounts for."""
-    readings = run.readings[column]
-    rest = [reading_name(run, reading) for reading in readings if not reading.same]
-    if not rest:
-        return f"Read this way, this run prints all {len(readings)} figures of the {column} column."
-    return (
-        f"Read this way, this run prints {len(readings) - len(rest)} of the {len(readings)} figures of the {column} "
-        f"column; their distance from theory comes from the reading, not from a solver. "
-        f"Not explained by it: {', '.join(rest)}."
-    )

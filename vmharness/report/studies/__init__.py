@@ -8,5 +8,9 @@ which makes of the file's bytes what the page shows, and its `summary` what the 
 
     figures(content) -> list[Figure]
 
-too, which the index does without.
+too, which the index does without; one that has something to say of published columns has
+
+    columns(content, case) -> dict[str, Section]
+
+by name of the column, which stands where the page tells of that.
 """

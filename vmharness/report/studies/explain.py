@@ -6,6 +6,7 @@ import msgspec
 
 from vmharness.case import Case
 from vmharness.evidence.explanation import Column, Explained, Explanation
+from vmharness.evidence.reading import last_cycles
 from vmharness.report.figures import stacked
 from vmharness.report.number import DASH, positional, share
 from vmharness.report.section import Figure, Section, Table
@@ -17,6 +18,8 @@ HOW = (
     "converges to. What is left is unexplained; ± is what the causes leave open."
 )
 
+SPLIT = "The last table splits its distance from theory into parts."
+
 
 def section(content: bytes, case: Case) -> Section:
     """The section for the record of `vm explain`."""
@@ -24,39 +27,32 @@ def section(content: bytes, case: Case) -> Section:
     return Section(
         "The difference, cause by cause",
         summary(found),
-        text=[HOW, *(text for column in found.columns for text in _column_text(column, case))],
-        tables=tables(found),
+        text=[HOW],
+        tables=[_table(found.results, "value")],
         remarks=remarks(found),
     )
 
 
 def figures(content: bytes) -> list[Figure]:
-    """Bars of the parts: of the results, and of each column that a solver gave."""
+    """Bars of the parts of the results."""
     found = msgspec.json.decode(content, type=Explanation)
-    bars = {
-        one.key: {part.cause: _percent_of(one, part.value, True) for part in one.parts}
-        for one in found.results
-    }
-    drawn = [
-        Figure(
-            "explained",
-            "Value less target, cause by cause, in percent of the tolerance; diamonds: the whole difference",
-            stacked.draw(f"{found.case}-explained", bars, _causes(found.results), "Percent of the tolerance"),
+    caption = "Value less target, cause by cause, in percent of the tolerance; diamonds: the whole difference"
+    return [_figure(found.case, "explained", caption, found.results, True)]
+
+
+def columns(content: bytes, case: Case) -> dict[str, Section]:
+    """What was found of each published column; drawn, too, where a solver gave it."""
+    found = msgspec.json.decode(content, type=Explanation)
+    return {
+        column.name: Section(
+            column.name,
+            "",
+            text=[_column_text(column, case)],
+            tables=[_table(column.results, column.name)],
+            figures=[_column_figure(found.case, column, number)] if column.kind == "computed" else [],
         )
-    ]
-    for number, column in enumerate(found.columns, 1):
-        if column.kind == "computed":
-            bars = {
-                one.key: {part.cause: _percent_of(one, part.value, False) for part in one.parts}
-                for one in column.results
-            }
-            name = f"explained-{number}"
-            caption = f"{column.name} less target, cause by cause, in percent of the target"
-            picture = stacked.draw(
-                f"{found.case}-{name}", bars, _causes(column.results), "Percent of the target"
-            )
-            drawn.append(Figure(name, caption, picture))
-    return drawn
+        for number, column in enumerate(found.columns, 1)
+    }
 
 
 def summary(found: Explanation) -> str:
@@ -91,19 +87,36 @@ def _row(one: Explained, causes: Sequence[str], own: bool) -> list[str]:
     return [one.key, _percent(one, one.difference, own), *shown, open_]
 
 
-def _column_text(column: Column, case: Case) -> list[str]:
-    """What a published column seems to be."""
+def _column_figure(case: str, column: Column, number: int) -> Figure:
+    caption = f"{column.name} less target, cause by cause, in percent of the target"
+    return _figure(case, f"explained-{number}", caption, column.results, False)
+
+
+def _figure(case: str, name: str, caption: str, results: Sequence[Explained], own: bool) -> Figure:
+    bars = {one.key: {part.cause: _percent_of(one, part.value, own) for part in one.parts} for one in results}
+    what = f"Percent of the {'tolerance' if own else 'target'}"
+    return Figure(name, caption, stacked.draw(f"{case}-{name}", bars, _causes(results), what))
+
+
+def _column_text(column: Column, case: Case) -> str:
+    """What a published column seems to be; what the case says of it itself is not said again."""
     count = f"{len(column.same)} of {len(column.results)} figures"
     if column.kind == "target":
         odd = [one.key for one in column.results if one.key not in column.same]
         rest = f" Not so: {', '.join(odd)}." if odd else ""
-        return [f"{column.name}: {count} are the targets of this case, rounded.{rest}"]
+        return f"{count} are the targets of this case, rounded.{rest}"
     unit = case.file.units.time
+    declared = next(one for one in case.file.published if one.name == column.name)
     also = ", ".join(f"{interval:g} {unit}" for interval in column.also)
-    text = f"{column.name}: of all readings tried, {column.reading}, gives most of it: {count}"
+    same = declared.interval is not None and column.reading == last_cycles(declared.interval, unit)
+    text = (
+        f"Of all readings tried, {'this one' if same else column.reading} gives most of the column: {count}"
+    )
     text += f"; {also} gives as many." if also else "."
-    others = [f"{key} fits {reading}." for key, reading in column.others.items()]
-    return [" ".join([text, *others])]
+    others = [
+        f"{key} fits {reading}." for key, reading in column.others.items() if key not in declared.exactly_at
+    ]
+    return " ".join([text, *others, SPLIT])
 
 
 def _causes(results: Sequence[Explained]) -> list[str]:
