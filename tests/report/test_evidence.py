@@ -5,6 +5,7 @@ import pytest
 from vmharness import report
 from vmharness.evidence.detection import Detection, Finding, Noticed
 from vmharness.evidence.explanation import SAMPLING, Column, Explanation, Part, explained
+from vmharness.evidence.reading import last_cycles
 from vmharness.report import section
 from vmharness.report.studies import faults
 
@@ -78,6 +79,28 @@ def test_the_score_of_the_manual(planted):
 def test_an_index_without_records_has_no_matrix(good, tmp_path):
     report.write_index([good], tmp_path)
     assert "What the cases notice" not in (tmp_path / "index.html").read_text()
+
+
+def test_a_column_that_the_case_says_how_to_read_is_explained_once(good, tmp_path):
+    """The reading that is found is the declared one, and the odd figure the one that the case names."""
+    read = explained("z_peak", "Z", "in", -1.55, -1.5505, 1e-5, [Part(SAMPLING, -5e-4)])
+    others = {"ke_impact": "states at their very times", "t_peak": "another"}
+    column = Column("LS-DYNA", "computed", last_cycles(0.001, "s"), [], ["z_peak"], others, [read])
+    section.write(tmp_path, good.case.id, "explain", Explanation(good.case.id, "0", [read], [column]))
+    report.write_case(good, tmp_path)
+    for name in ("README.md", "index.html"):
+        page = (tmp_path / good.case.id / name).read_text()
+        assert page.count("Where the published difference comes from: LS-DYNA") == 1
+        assert page.count("0.001 s apart") == 1
+        assert "Of all readings tried, this one gives most of the column: 1 of 1 figures." in page
+        assert "very times" not in page
+        assert "t_peak fits another." in page
+        assert page.count("The published kinetic energy, 193.10") == 1
+        assert (
+            "VM65: Mechanical APDL Verification Manual, test case VM65, targets. Shown for comparison, "
+            in page
+        )
+        assert page.count("The target of VM65") == 1
 
 
 def test_parts_are_shares_of_the_tolerance_and_drawn(good, tmp_path):

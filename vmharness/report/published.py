@@ -54,7 +54,7 @@ def _table(run: CaseRun, column: Published, read: tuple[Reading, ...]) -> Table:
     """Each figure beside the history of this run, read the same way."""
     time = run.case.file.units.time
     head = ["Result", "Target", column.name, "Its error (%)", "This run, so read", f"At time ({time})"]
-    return Table([*head, "Same figures?"], [_row(run, reading) for reading in read])
+    return Table([*head, "Same figures?"], [_row(run, reading) for reading in read], words=1)
 
 
 def _row(run: CaseRun, reading: Reading) -> list[str]:

@@ -30,11 +30,16 @@ class Figure:
 
 @dataclass(frozen=True)
 class Table:
-    """Rows of text under a head; columns from `numbers` on are numbers."""
+    """Rows of text under a head; columns from `numbers` on are numbers, but for the last `words`."""
 
     head: Sequence[str]
     rows: Sequence[Sequence[str]]
     numbers: int = 1
+    words: int = 0
+
+    def is_number(self, column: int) -> bool:
+        """Whether a column is of numbers."""
+        return self.numbers <= column < len(self.head) - self.words
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """Computed history with theory over it, events marked, and the difference below."""
 
 from textwrap import fill
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -38,18 +38,22 @@ def draw(run: CaseRun, name: str, together: list[Curve], solver: str) -> str:
         under = 0.57 + 0.22 * -(
             -len(entries) // side_by_side
         )  # inches: labels of time, and the rows of the key
-        title = _titled(quantity(run, together), unit(together[0].unit))
-        places = _places(run, float(together[0].time[0]), float(together[0].time[-1]), title)
+        first, last = float(together[0].time[0]), float(together[0].time[-1])
+        size = max(float(np.abs([curve.computed, curve.theory]).max()) for curve in together)
+        title = _titled(quantity(run, together), _in(_power(size), unit(together[0].unit)))
+        places = _places(run, first, last, title)
         rest = 4.3 + under  # inches: all but what titles of events need beyond two rows
         height = rest + TITLE * max((level - 1 for *_, level in places if level), default=0)
         figure = Figure(figsize=(6.6, height))
         above, below = _panels(figure, under / height, 0.865 * rest / height)
-        above.set_xlim(together[0].time[0], together[0].time[-1])
+        above.set_xlim(first, last)
         _values(above, together)
+        _written_in(above, "y", _power(size))
+        _written_in(below, "x", _power(last))
         _residuals(below, together)
         _events(above, below, run, places)
         _title(above, title)
-        time = f"Time ({run.case.file.units.time})"
+        time = f"Time ({_in(_power(last), run.case.file.units.time)})"
         note(below, time, (1.0, 0.0), (0, -26), xycoords="axes fraction", ha="right", color=INK)
         key_below(figure, entries, side_by_side)
         labels = ", ".join(curve.label.lower() for curve in together)
@@ -135,8 +139,7 @@ def _residuals(axes: "Axes", together: list[Curve]) -> None:
             )
     limit = 1.2 * max(reach) * scale or 1.0
     axes.set_ylim(-limit, limit)
-    scaled = " ".join(filter(None, [ten_to(power), unit(together[0].unit)]))
-    _title(axes, _titled("Difference from theory", scaled))
+    _title(axes, _titled("Difference from theory", _in(power, unit(together[0].unit))))
     axes.locator_params(axis="y", nbins=5)
 
 
@@ -172,6 +175,30 @@ def _events(above: "Axes", below: "Axes", run: CaseRun, places: list[tuple[str, 
             ha="center",
             color=INK,
         )
+
+
+def _power(size: float) -> int:
+    """The power of ten in which numbers up to `size` are written; 0 where they have few digits without one.
+
+    >>> _power(1.6e11), _power(3e-8), _power(25000.0), _power(0.0)
+    (11, -8, 0, 0)
+    """
+    power = int(np.floor(np.log10(size))) if size > 0.0 else 0
+    return power if abs(power) > 4 else 0
+
+
+def _written_in(axes: "Axes", which: Literal["x", "y"], power: int) -> None:
+    """Write the numbers of an axis in a power of ten, which its title says: matplotlib's own would lie on that."""
+    if power:
+        axes.ticklabel_format(axis=which, style="sci", scilimits=(power, power), useOffset=False)
+    else:
+        axes.ticklabel_format(axis=which, style="plain", useOffset=False)
+    axis = {"x": axes.xaxis, "y": axes.yaxis}[which]
+    axis.get_offset_text().set_visible(False)
+
+
+def _in(power: int, unit_text: str) -> str:
+    return " ".join(filter(None, [ten_to(power), unit_text]))
 
 
 def _titled(what: str, unit_text: str) -> str:
