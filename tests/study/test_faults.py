@@ -130,6 +130,13 @@ def test_a_length_of_the_mesh_is_a_number_of_the_deck(ball):
     assert np.ptp(x[1]) == pytest.approx(0.99 * np.ptp(x[0]))
 
 
+def test_a_number_of_which_no_deck_can_be_made_is_no_fault_to_plant():
+    names = {fault.name for fault in deck_faults.parameter_faults(read(CASES / "D-51-solid"), 10**6)}
+    lengths = {name.removesuffix(" -5 %") for name in names if name.endswith(" -5 %")}
+    longer = {name.removesuffix(" 1000 times as large") for name in names if "1000 times" in name}
+    assert longer < lengths
+
+
 def test_supports_go_from_the_cards_or_from_the_nodes(ball):
     last, none = deck_faults.support_faults(ball)
     assert not read_deck(last.variant.case).all("BOUNDARY_SPC_SET")

@@ -4,6 +4,7 @@ One number is wrong, by a few percent, in its sign or in its unit; or supports a
 """
 
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -66,13 +67,15 @@ def _fault(name: str, case: Case) -> Planted:
 
 
 def _wrong(name: str, value: float, make: Callable[[float], Case], cycles: int) -> Iterator[Planted]:
-    """What can be wrong with a number; of zero, nothing."""
+    """What can be wrong with a number; of zero, nothing, and nothing of which a template makes no deck."""
     if value == 0.0:
         return
-    for percent in PERCENTS:
-        yield _fault(f"{name} {percent:+g} %", make(value * (1.0 + percent / 100.0)))
-    yield _fault(f"{name} {OTHER_SIGN}", make(-value))
-    yield _fault(f"{name} {SLIP:g} times as large", _ended(make(SLIP * value), cycles))
+    changes = [(f"{percent:+g} %", 1.0 + percent / 100.0) for percent in PERCENTS]
+    for text, factor in [*changes, (OTHER_SIGN, -1.0), (f"{SLIP:g} times as large", SLIP)]:
+        with suppress(CaseError):
+            case = make(factor * value)
+            case.deck_source()  # raises where a template makes none
+            yield _fault(f"{name} {text}", _ended(case, cycles) if factor == SLIP else case)
 
 
 def _parameter(case: Case, name: str) -> Callable[[float], Case]:
@@ -93,7 +96,7 @@ def _ended(case: Case, cycles: int) -> Case:
 
     try:
         return with_entries(case, lambda deck: map(change, deck.entries))
-    except (CaseError, DeckError):
+    except DeckError:
         return case
 
 
