@@ -170,6 +170,8 @@ def test_a_node_that_goes_too_deep_for_an_automatic_contact_is_reported(wall_and
     assert any(held) == (speed < 100.0)
     np.testing.assert_allclose(ratios, 1.0, rtol=1e-6)
     assert stored() == pytest.approx(0.0, abs=1e-6)  # at 0.5 each side has had 1e-4
+    lost = probe(model, contact=1, component="released energy")
+    assert lost() == probe(model, energy="released")()
     assert z() < -0.4
     assert released(model) == {
         "Let through by contact 1": "one node, first of them 15: deeper than PENMAX or PENCHK allows"
