@@ -8,7 +8,9 @@ from vmharness.explicit.force import Force
 from vmharness.explicit.state import Array, State
 
 # Stored or dissipated: with the kinetic energy, the total. See `ratio`.
-STORED = ("internal", "spring and damper", "hourglass", "contact", "friction", "damping", "rigid wall")
+STORED = (
+    "internal", "spring and damper", "hourglass", "contact", "friction", "released", "damping", "rigid wall",
+)  # fmt: skip
 
 
 def kinetic(state: State) -> float:

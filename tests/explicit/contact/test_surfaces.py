@@ -120,6 +120,22 @@ def test_a_segment_takes_its_element_by_its_corners_and_keeps_its_own_order(side
     assert sides(contact()).model.ids[found.nodes[0]].tolist() == [14, 13, 12, 11]
 
 
+BEAM = """*PART
+beam
+4,4,1
+*SECTION_BEAM
+4,3
+1.0
+*ELEMENT_BEAM
+41,4,4,14
+"""
+
+
+def test_beams_of_exempt_parts_are_no_part_of_the_surface(sides):
+    exempt = BEAM + "*SET_PART_LIST\n19\n2,3,4\n"
+    assert sides(exempt + contact(19, 6)).facets("b").pid.tolist() == [1, 1]
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [
@@ -136,6 +152,20 @@ def test_a_segment_takes_its_element_by_its_corners_and_keeps_its_own_order(side
         (
             "*PART\nempty\n9,1,1\n*SET_PART_LIST\n19\n2,9\n" + contact(19, 2),
             r"SURFB = 19: part 9 of the set has neither shells nor solids",
+        ),
+        *(
+            (
+                "*SET_PART_LIST\n19\n2,9\n" + contact(19, kind),
+                r"deck.k:\d+: \*SET_PART_LIST: PARTS = 9: no \*PART",
+            )
+            for kind in (2, 6)
+        ),
+        *(
+            (
+                BEAM + contact(number, kind),
+                rf"_SURFACE: SURFB = {number}: part 4 is beams, whose contact is not",
+            )
+            for number, kind in ((0, 5), (5, 6))
         ),
     ],
 )

@@ -54,6 +54,48 @@ def test_friction_and_damping_account_for_all_energy(scene, bench):
     assert contact.energy["contact"][0] > 0.01 * before  # what damping took
 
 
+@pytest.mark.parametrize(
+    ("v", "release", "death"),
+    [((0.0, 0.0, -1.0), 0.004, 1e20), ((1.0, 0.0, -0.1), np.inf, 1e20), ((0.0, 0.0, -1.0), np.inf, 0.0074)],
+    ids=["too deep", "beyond the end", "at death"],
+)
+@pytest.mark.parametrize("options", [{}, {"fs": 0.3, "fd": 0.3}])
+def test_what_is_let_go_while_it_is_pressed_leaves_nothing_stored(scene, bench, v, release, death, options):
+    # The sheet is held, and ends at x = 1; a quarter of the oscillation on it takes 0.011.
+    nodes = scene.sheet(bench.flat, [-1.0, 1.0], [-1.0, 1.0], mass=0.0)
+    ball = scene.nodes([0.996, 0.0, 0.0], v=v, mass=0.05)
+    sides = bench.tracked(ball), bench.segments(nodes, release=release)
+    contact = bench.contact(sides, dt=death, **options, maxpar=1.0)
+    state, most = scene.state(), 0.0
+    before = bench.kinetic(state)
+    for s in bench.march(state, [contact], 1e-4, 150):
+        account = {name: value[0] for name, value in contact.energy.items()}
+        total = bench.kinetic(s) + sum(account.values())
+        assert total == pytest.approx(before, rel=1e-4)  # (w dt)^2
+        most = max(most, account["contact"])
+    assert not contact.force.any()
+    assert contact.touching() == 0
+    assert total == pytest.approx(before, rel=1e-12)
+    assert account["released"] == pytest.approx(most, rel=0.1)
+    assert account["contact"] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_what_is_pressed_as_a_contact_is_born_was_given_by_nothing(scene, bench):
+    nodes = scene.sheet(bench.flat, [-1.0, 1.0], [-1.0, 1.0], mass=0.0)
+    ball = scene.nodes([0.1, 0.2, 0.03], v=[0.0, 0.0, -1.0], mass=0.1)
+    segments = bench.segments(nodes, thickness=0.05, two_sided=True)
+    contact = bench.contact((bench.tracked(ball, thickness=0.05), segments), bt=0.00995)
+    state = scene.state()
+    for s in bench.march(state, [contact], 1e-4, 500):
+        if s.cycle == 100:  # the first with force, where the depth is 0.03
+            assert contact.energy["contact"][0] == pytest.approx(0.5 * 1000.0 * 0.03**2, rel=1e-9)
+    assert contact.touching() == 0
+    assert contact.energy["contact"][0] == pytest.approx(0.0, abs=2e-3 * 0.45)
+    gained = bench.kinetic(s) - 0.5 * 0.1
+    assert contact.energy["released"][0] == pytest.approx(-gained, rel=2e-3)
+    assert gained == pytest.approx(0.45, rel=1e-2)
+
+
 @pytest.mark.parametrize("steps", [100])
 def test_the_order_of_the_smooth_phase_is_two(scene, bench, steps):
     # A quarter of the oscillation on the contact's spring, w = sqrt(k/m): depth v/w at its end.

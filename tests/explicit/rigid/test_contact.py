@@ -7,6 +7,7 @@ from vmharness.explicit import energy
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model import build
 from vmharness.explicit.probes import probe
+from vmharness.explicit.rigid.bodies import Bodies
 
 RIGID, ELASTIC = "*MAT_RIGID\n5,1.0,300.0,0.0\n\n\n", "*MAT_ELASTIC\n5,1.0,300.0,0.0\n"
 PART = "*PART\nplate\n5,5,5\n"
@@ -196,3 +197,50 @@ def test_nodes_of_a_body_of_given_inertia_have_shares_that_add_no_energy_to_any_
     part = GIVEN.format(mass=0.2, moment=moment, polar=2.0 * moment)
     model = wall_and(PLATE.format(**LEVEL | dict(part=part)), density=1e-6)
     np.testing.assert_allclose(model.state.lumped[4:8], share, rtol=1e-12)
+
+
+EXTRA = "*NODE\n21,{x},0.0,{z}\n*CONSTRAINED_EXTRA_NODES_NODE\n5,21\n*SET_NODE_LIST\n3\n21\n"
+TOUCHING = "*CONTACT_NODES_TO_SURFACE\n3,1,4,3\n,,,,{vdc}\n\n{soft}\n"
+
+
+@pytest.mark.parametrize("x", [0.0, 0.4])
+def test_shares_of_extra_nodes_without_mass_add_no_energy_to_any_motion(wall_and, x):
+    # Four corners of mass m = 0.025 and the extra node with their mean: the largest of sum m v^2 over M v^2 in a
+    # translation is 5/4 where the node is in the middle, and 1 without it.
+    text = PLATE.format(**LEVEL | dict(low=0.2, high=0.2))
+    alone = wall_and(text + EXTRA.format(x=x, z=0.2), density=1e-6)
+    np.testing.assert_allclose(alone.state.lumped[4:9], [0.025] * 4 + [0.0], rtol=1e-12)
+    model = wall_and(text + EXTRA.format(x=x, z=0.2) + TOUCHING.format(vdc=0.0, soft=0), density=1e-6)
+    shares = model.state.lumped[4:9]
+    assert shares.min() == pytest.approx(shares.max(), rel=1e-12)
+    if x == 0.0:
+        assert shares[0] == pytest.approx(0.02, rel=1e-12)
+    body = next(item for item in model.constraints if isinstance(item, Bodies))
+    rng = np.random.default_rng(1)
+    for _ in range(50):
+        v, omega = rng.normal(size=(2, 3))
+        nodes = ((v + np.cross(omega, body.arm)) ** 2).sum(axis=1)
+        assert shares @ nodes <= 0.1 * v @ v + omega**2 @ body.principal[0] + 1e-12
+
+
+@pytest.mark.parametrize(("vdc", "soft"), [(50.0, 0), (0.0, 1), (50.0, 1)])
+def test_an_extra_node_without_mass_has_a_share_of_the_body_and_is_not_held(space, vdc, soft):
+    """The node alone touches a floor of 1e5 times the body's mass: M on a spring k and damper c, to zero force."""
+    step, mass = 0.01, 0.1
+    floor = FLOOR.format(material="*MAT_ELASTIC\n1,1e5,3.0,0.0\n", held=",7,7")
+    plate = PLATE.format(**LEVEL | dict(low=0.2, high=0.2)) + EXTRA.format(x=0.0, z=0.01)
+    model = space(floor + plate + TOUCHING.format(vdc=vdc, soft=soft), end=4.0, step=step)
+    share = model.state.lumped[8]
+    k = 0.1 * share / step**2 if soft else 2.0**0.5
+    z = 0.01 * vdc * np.sqrt(share / mass)
+    s = np.sqrt(1.0 - z**2)
+    phase = np.pi - np.arctan2(2.0 * z * s, 1.0 - 2.0 * z**2)
+    rebound = -0.1 * np.exp(-z / s * phase) * (np.cos(phase) - z / s * np.sin(phase))
+
+    ratio, v = probe(model, energy="ratio"), probe(model, rigid=5, component="z-velocity")
+    force = probe(model, contact=2, component="z-force")
+    most = max(force() for _ in steps(model))
+    assert v() == pytest.approx(rebound, rel=5e-2)  # with SOFT = 1, w dt = 0.14
+    assert ratio() == pytest.approx(1.0, abs=2e-2)
+    if not vdc:
+        assert most == pytest.approx(0.1 * np.sqrt(k * mass), rel=1e-2)

@@ -1,4 +1,4 @@
-"""*CONTROL_CONTACT: defaults of all contacts."""
+"""*CONTROL_CONTACT: defaults of all contacts; what acts on none is said in the run's facts."""
 
 from vmharness.deck.card import Card
 from vmharness.deck.field import integer, only, real, skip
@@ -9,7 +9,7 @@ CONTROL_CONTACT = Keyword(
     Card(
         slsfac=real(0.1, zero_is_default=True, above=0.0),
         rwpnal=real(0.0, at_least=0.0),  # penalty of rigid bodies at rigid walls
-        islchk=integer(1, choices=(0, 1, 2)),
+        islchk=integer(1, choices=(1, 2), zero_is_default=True),
         shlthk=integer(0, choices=(0, 1, 2)),
         penopt=integer(1, choices=(1, 2), zero_is_default=True),
         thkchg=only(0),
@@ -19,12 +19,12 @@ CONTROL_CONTACT = Keyword(
     Card(
         usrstr=only(0),
         usrfrc=only(0),
-        nsbcs=integer(0),  # cycles between sorts; here velocity says when
+        nsbcs=integer(0),
         interm=only(0),
-        xpene=real(4.0, zero_is_default=True, above=0.0),  # acts with PENCHK = 1
+        xpene=real(4.0, zero_is_default=True, above=0.0),
         ssthk=integer(0, choices=(0, 1)),
-        ecdt=integer(0, choices=(0, 1)),  # acts on eroding contact
-        tiedprj=integer(0, choices=(0, 1)),  # acts on tied contact
+        ecdt=integer(0, choices=(0, 1)),
+        tiedprj=integer(0, choices=(0, 1)),
     ),
     Card(
         optional=True,

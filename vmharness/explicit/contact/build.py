@@ -8,6 +8,7 @@ from vmharness.explicit.contact.initial import treat
 from vmharness.explicit.contact.number import number_of
 from vmharness.explicit.contact.options import keeps_penetrations, options_of
 from vmharness.explicit.contact.sides import Sides
+from vmharness.explicit.contact.without_effect import of_contact
 from vmharness.explicit.model import Model
 from vmharness.explicit.penalty.contact import Contact
 from vmharness.explicit.penalty.segments import Segments
@@ -33,6 +34,7 @@ def add_contacts(
         contact = Contact(number_of(deck, entry), passes, options_of(entry, control))
         tracked = [tracked for tracked, _ in passes]
         treat(contact, tracked, model, entry, keeps_penetrations(entry, control), automatic, rigid)
+        model.facts |= of_contact(deck, entry, control, two_way)
         model.forces.append(contact)
 
 

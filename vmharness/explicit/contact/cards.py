@@ -1,6 +1,7 @@
 """Cards of *CONTACT_...: three that must be there, and optional cards A to G, each after all before it.
 
-Both names of a field are in use: SURFA is SSID, SURFB is MSID; SFSA is SFS, SAST is SST, and so on.
+Both names of a field are in use: SURFA is SSID, SURFB is MSID; SFSA is SFS, SAST is SST, and so on. Fields that take
+any value and act on nothing are listed in without_effect.py.
 """
 
 from vmharness.deck import Card, Keyword
@@ -21,7 +22,7 @@ def contact_keyword(name: str, surfatyp: tuple[int, ...], surfbtyp: tuple[int, .
             surfbtyp=integer(0, choices=surfbtyp),
             saboxid=only(0),
             sbboxid=only(0),
-            sapr=integer(0),  # output only
+            sapr=integer(0),
             sbpr=integer(0),
         ),
         Card(
@@ -57,9 +58,9 @@ def _optional() -> tuple[Card, ...]:
         sofscl=real(0.1, zero_is_default=True, above=0.0),
         lcidab=only(0),
         maxpar=only(1.025, zero_is_default=True),
-        sbopt=integer(2),  # this and DEPTH act with SOFT = 2
-        depth=integer(2),
-        bsort=integer(0),  # cycles between sorts; here velocity says when
+        sbopt=integer(2, zero_is_default=True),
+        depth=integer(2, zero_is_default=True),
+        bsort=integer(0),
         frcfrq=only(1, zero_is_default=True),
     )
     b = Card(
@@ -67,9 +68,7 @@ def _optional() -> tuple[Card, ...]:
         penmax=real(0.0, at_least=0.0),
         thkopt=only(0),
         shlthk=integer(0, choices=(0, 1, 2)),
-        snlog=integer(
-            0, choices=(0, 1)
-        ),  # a node that shoots through is not moved back: its penetration is what it is
+        snlog=integer(0, choices=(0, 1)),
         isym=only(0),
         i2d3d=only(0),
         sldthk=only(0.0),
@@ -77,14 +76,14 @@ def _optional() -> tuple[Card, ...]:
     )
     c = Card(
         optional=True,
-        igap=integer(1),  # of implicit analysis
+        igap=integer(1, zero_is_default=True),
         ignore=integer(0, choices=(0, 1, 2)),
         dprfac=only(0.0),
         dtstif=only(0.0),
         edgek=only(0.0),
         _6=skip(),
         flangl=only(0.0),
-        cid_rcf=integer(0),  # output only
+        cid_rcf=integer(0),
     )
     d = Card(
         optional=True,

@@ -1,7 +1,8 @@
 """*CONTACT_AUTOMATIC_SINGLE_SURFACE: a surface held off itself, all of its parts off each other (type 13).
 
-Only SURFA is given; 0 stands for all parts. A node does not touch the segments that it is a corner of. The gap is that
-of automatic_nodes_to_surface.py, with thickness at most 0.4 times the shortest side of a shell (SSTHK = 0).
+Only SURFA is given, with SFSA, SAST and SFSAT; 0 stands for all parts. A node does not touch the segments that it is a
+corner of. The gap is that of automatic_nodes_to_surface.py, with thickness at most 0.4 times the shortest side of a
+shell (SSTHK = 0).
 """
 
 from vmharness.deck import Deck
@@ -13,8 +14,9 @@ CONTACT_AUTOMATIC_SINGLE_SURFACE = contact_keyword("CONTACT_AUTOMATIC_SINGLE_SUR
 
 
 def build(deck: Deck, model: Model) -> None:
-    """Add a force for each such contact of the deck; raises DeckError for a surface on side B."""
+    """Add a force for each such contact of the deck; raises DeckError for anything on side B."""
     for entry in deck.all(CONTACT_AUTOMATIC_SINGLE_SURFACE):
-        if entry.surfb:
-            raise entry.error("surfb", "a single surface has no second side")
+        for field, default in (("surfb", 0), ("sfsb", 1.0), ("sbst", 0.0), ("sfsbt", 1.0)):
+            if getattr(entry, field) != default:
+                raise entry.error(field, "a single surface has no second side")
     add_contacts(deck, model, CONTACT_AUTOMATIC_SINGLE_SURFACE, single=True)

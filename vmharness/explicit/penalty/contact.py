@@ -26,9 +26,11 @@ class Contact:
         self.tracked = np.concatenate([tracked.nodes for tracked, _ in passes])  # (nt,) rows
         self.segments = np.concatenate([segments.nodes for _, segments in passes])  # (ns, 4) rows
         # One pass keeps the account itself; two are added up.
-        self.account = self.passes[0].account if len(passes) == 1 else np.zeros(5)
-        self.energy = {"contact": self.account[:1], "friction": self.account[1:2]}
-        self.force = self.account[2:]  # (3,) resultant on surface A
+        self.account = self.passes[0].account if len(passes) == 1 else np.zeros(6)
+        self.energy = {
+            "contact": self.account[:1], "friction": self.account[1:2], "released": self.account[5:],
+        }  # fmt: skip
+        self.force = self.account[2:5]  # (3,) resultant on surface A
         forces = [one.nodes["force"] for one in self.passes]
         self.forces = (
             forces[0] if len(forces) == 1 else np.concatenate(forces)
@@ -38,15 +40,14 @@ class Contact:
         """Add the forces at t_n, and the work of the step that led to it."""
         if not self.options.bt <= state.t < self.options.dt:
             for one in self.passes:
-                one.rest()
-            self.force[:] = 0.0
-            return
-        for one in self.passes:
-            one.add(state)
+                one.rest(state)
+        else:
+            for one in self.passes:
+                one.add(state)
         if len(self.passes) == 2:
             first, second = self.passes
-            self.account[:2] = first.account[:2] + second.account[:2]
-            self.account[2:] = first.account[2:] - second.account[2:]
+            self.account[:] = first.account + second.account
+            self.account[2:5] = first.account[2:5] - second.account[2:5]
             np.concatenate([first.nodes["force"], second.nodes["force"]], out=self.forces)
 
     def initial_penetrations(self, x: Array) -> list[tuple[int, Array]]:

@@ -33,8 +33,8 @@ def cycle(
 ) -> bool:  # fmt: skip
     """Add contact forces at t_n, and the work of the step; False, and nothing done, where a sort must come first.
 
-    `account` receives the energies "contact" and "friction" and the sum of forces on the nodes; `work`, `lanes`:
-    buffers of `slide`.
+    `account` receives the energies "contact" and "friction", the sum of forces on the nodes, and the energy
+    "released"; `work`, `lanes`: buffers of `slide`.
     """
     rule = rules[0]
     step = REACH * dt * fastest(v, nodes, rows)
@@ -42,7 +42,7 @@ def cycle(
     if travel > rule["margin"]:
         return False
     rule["travel"], rule["longest"] = travel, max(rule["longest"], dt)
-    account[2:] = 0.0
+    account[2:5] = 0.0
     # Several loops, since the work on several nodes overlaps in the processor only where a loop is short.
     for t in range(nodes.size):
         for k in range(nodes[t]["count"]):
@@ -58,8 +58,7 @@ def cycle(
         if node["clear"] <= travel:
             candidates = near[near_first[t] : near_first[t + 1]]
             node["clear"] = travel + look(
-                x, v, dt, step, node, own, segments, first, beside, candidates, rule["maxpar"],
-                rule["start"], rule["ignore"],
+                x, v, mass, dt, step, node, own, segments, first, beside, candidates, rule, account,
             )  # fmt: skip
     for t in range(nodes.size):
         for k in range(nodes[t]["count"]):
@@ -87,6 +86,21 @@ def keep_up(
             for later in range(k, node["count"]):
                 touches[later] = touches[later + 1]
     return changed
+
+
+@uncounted
+def rest(
+    x: Array, v: Array, dt: float, nodes: Records, segments: Records, touches: Records, rules: Records, account: Array
+) -> None:  # fmt: skip
+    """Let all nodes go at t_n, as a contact does that ends, and add the work of the step that led to it."""
+    account[2:5] = 0.0
+    for t in range(nodes.size):
+        node = nodes[t]
+        for k in range(node["count"]):
+            half_work(x, v, dt, node, segments, touches[k, t], rules[0], account)
+            let_go(x, v, dt, node, segments, touches[k, t], account)
+        node["count"] = 0
+        node["force"][0] = node["force"][1] = node["force"][2] = 0.0
 
 
 @uncounted

@@ -30,7 +30,7 @@ HOPS = 4  # borders crossed within one step
 def follow(
     x: Array, node: Record, touches: Records, k: int, segments: Records, first: Index, beside: Index, maxpar: float
 ) -> bool:  # fmt: skip
-    """Bring touch k of a node to t_n: segment, contact point, normal, gap; False where it has let go."""
+    """Bring touch k of a node to t_n: segment, contact point, normal, gap; False, and these left, where it lets go."""
     touch, p = touches[k], at(x, node["row"])
     s, side, xi, eta = touch["segment"], touch["side"], touch["xi"], touch["eta"]
     shared = False
@@ -61,11 +61,14 @@ def follow(
             if out > maxpar - 1.0:
                 return False
         n = scale(side, n)
-    write(touch, s, side, xi, eta, n, height - half_thickness(node, segment))
-    if -touch["gap"] > segment["release"]:
+    gap = height - half_thickness(node, segment)
+    if -gap > segment["release"]:
         node["released"] = True
         return False
-    return bool(touch["gap"] < 0.0)
+    if gap >= 0.0:
+        return False
+    write(touch, s, side, xi, eta, n, gap)
+    return True
 
 
 @inlined

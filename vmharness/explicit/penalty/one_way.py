@@ -4,7 +4,7 @@ import numpy as np
 
 from vmharness.explicit.lanes import LANES
 from vmharness.explicit.penalty.bucket import candidates, size_of
-from vmharness.explicit.penalty.cycle import cycle, fastest
+from vmharness.explicit.penalty.cycle import cycle, fastest, rest
 from vmharness.explicit.penalty.neighbours import neighbours
 from vmharness.explicit.penalty.options import Options
 from vmharness.explicit.penalty.rule import rule_of
@@ -28,7 +28,9 @@ class OneWay:
         self.near_first, self.near = np.zeros(tracked.nodes.size + 1, np.intp), np.zeros(0, np.intp)
         self.rows = np.unique(segments.nodes)
         self.rule = rule_of(options)
-        self.account = np.zeros(5)  # energies "contact" and "friction"; force on the tracked nodes
+        self.account = np.zeros(
+            6
+        )  # energies "contact", "friction"; force on the tracked nodes; energy "released"
 
         self.work, self.lanes = np.ones(ROWS * LANES), np.zeros((LANES, 2), np.intp)
 
@@ -51,11 +53,11 @@ class OneWay:
         self.near_first, self.near = candidates(s.x, self.nodes, self.segments, margin + step)
         self.rule["travel"], self.rule["margin"] = 0.0, margin
 
-    def rest(self) -> None:
+    def rest(self, s: State) -> None:
         """Let all nodes go: before birth, after death."""
-        self.nodes["count"], self.nodes["force"], self.account[2:] = 0, 0.0, 0.0
+        rest(s.x, s.v, s.dt, self.nodes, self.segments, self.touches, self.rule, self.account)
 
     @property
     def force(self) -> Array:
         """Sum (3,) of the forces on the tracked nodes."""
-        return self.account[2:]
+        return self.account[2:5]

@@ -16,6 +16,7 @@ from vmharness.explicit.penalty.bucket import box, outside
 from vmharness.explicit.penalty.follow import follow
 from vmharness.explicit.penalty.place import first_guess, half_thickness, place
 from vmharness.explicit.penalty.touch import MOST, Record, Records
+from vmharness.explicit.penalty.work import catch
 from vmharness.explicit.segment import (
     Corners,
     at,
@@ -38,15 +39,15 @@ BEHIND = 0.01  # of the change of the gap: so far behind at t_{n-1} is round-off
 
 @uncounted
 def look(
-    x: Array, v: Array, dt: float, step: float, node: Record, touches: Records, segments: Records,
-    first: Index, beside: Index, near: Index, maxpar: float, start: bool, ignore: bool,
+    x: Array, v: Array, mass: Array, dt: float, step: float, node: Record, touches: Records, segments: Records,
+    first: Index, beside: Index, near: Index, rule: Record, account: Array,
 ) -> float:  # fmt: skip
     """Add what a node touches newly, of the segments `near` it; return how far it is from all others.
 
     `step` is the greatest relative motion within the step `dt`.
     """
     p, least = at(x, node["row"]), np.inf
-    easing = start and ignore
+    maxpar, start, easing = rule["maxpar"], rule["start"], rule["start"] and rule["ignore"]
     only = nearest(x, node, segments, near) if easing else -1
     for s in near:
         if easing and s != only:  # an initial penetration is that of the nearest segment
@@ -67,6 +68,8 @@ def look(
             if side != 0.0 and hold(x, node, touches, s, side, xi, eta, segments, first, beside, maxpar):
                 if easing:
                     touches[node["count"] - 1]["ease"] = -touches[node["count"] - 1]["gap"]
+                else:
+                    catch(x, v, mass, dt, node, segments, touches[node["count"] - 1], rule, account)
                 continue
         least = min(least, max(free, 0.0))
     return least

@@ -6,7 +6,7 @@
 `k_segment` and `k_node` carry SLSFAC and SFSA or SFSB. SOFT 1 is our reading of LSTC's FAQ contact.soft1, which has a
 stiffness from nodal masses and the time step, with the least of the masses. dt is the longest step so far: with a step
 that shrinks, the stiffness stays, and no energy is made. Nodes of rigid bodies count with their shares of the mass;
-nodes without mass are held by something: they set none.
+nodes without mass are held by something that is no rigid body: they set none.
 """
 
 import numpy as np

@@ -11,10 +11,11 @@ KEYS = ("contact",)
 
 
 def probe(model: Model, contact: int, component: str, node: int | None = None) -> Probe:
-    """A component of a contact: `z-force`, the resultant on surface A; `energy`, `friction energy`, `area`, `nodes`.
+    """A component of a contact: `z-force`, `energy`, `friction energy`, `released energy`, `area`, `nodes`.
 
-    Energy is that of the penalty and its damping, area and number are of the nodes in contact. With `node`, the force
-    on that tracked node, segments that it is a corner of not counted.
+    The force is the resultant on surface A. Energy is that of the penalty and its damping; released, what springs had
+    that were let go while they were pressed; area and number are of the nodes in contact. With `node`, the force on
+    that tracked node, segments that it is a corner of not counted.
     """
     contacts = {force.number: force for force in model.forces if isinstance(force, Contact)}
     if contact not in contacts:
@@ -26,6 +27,7 @@ def probe(model: Model, contact: int, component: str, node: int | None = None) -
         **{f"{axis}-force": found.force[i : i + 1].item for axis, i in AXES.items()},
         "energy": found.energy["contact"].item,
         "friction energy": found.energy["friction"].item,
+        "released energy": found.energy["released"].item,
         "area": found.area,
         "nodes": found.touching,
     }

@@ -8,14 +8,18 @@ for then the body only adds inertia to a model that is stable with these masses 
 m_k = w_k / lambda, with lambda the largest eigenvalue of the form of the weights against that of the body. For one node
 this is its effective mass. Torsional springs take moments of inertia likewise; a body with both halves itself.
 
-Contacts feel the mass that elements have lumped on the nodes of a body, which is safe as it is; where mass and inertia
-of the body are given, its shares by these weights, or equal ones.
+Contacts feel the mass that elements have lumped on the nodes of a body, which is safe as it is. Where mass and inertia
+of the body are given, or a contact has nodes of it without mass, they feel shares: by the lumped mass as weight, and of
+nodes without any by the mean of the others. A node of a body is never held, as one without mass is otherwise: the body
+may be lighter than what it touches.
 """
 
 import numpy as np
+from numpy.typing import NDArray
 
 from vmharness.explicit.elements.discrete.part import Discrete
 from vmharness.explicit.model import Model
+from vmharness.explicit.penalty.contact import Contact
 from vmharness.explicit.rigid.bodies import Bodies
 from vmharness.explicit.state import Array
 
@@ -44,13 +48,28 @@ def bear(model: Model, bodies: Bodies) -> None:
 
 
 def share_given(model: Model, bodies: Bodies, given: list[bool]) -> None:
-    """Put the shares of each body whose inertia is `given` on its nodes, as the lumped mass that contacts feel."""
-    lumped = model.state.lumped
-    for b in np.flatnonzero(given):
+    """Put the shares of bodies on their nodes, as the lumped mass that contacts feel.
+
+    Of bodies whose inertia is `given`, and of those with nodes without mass in a contact.
+    """
+    lumped, felt = model.state.lumped, _felt(model)
+    for b in range(bodies.centre.size):
         own = slice(bodies.first[b], bodies.first[b + 1])
         nodes, mass = bodies.nodes[own], model.state.mass[bodies.centre[b]]
-        weight = lumped[nodes] if lumped[nodes].any() else np.ones(nodes.size)
-        lumped[nodes] = weight / largest_ratio(mass, bodies.inverse[b], bodies.arm[own], weight)
+        bare = felt[nodes] & (lumped[nodes] == 0.0)
+        if bare.any() or (given[b] and felt[nodes].any()):
+            weight = lumped[nodes]
+            weight[bare] = weight[weight > 0.0].mean() if weight.any() else 1.0
+            lumped[nodes] = weight / largest_ratio(mass, bodies.inverse[b], bodies.arm[own], weight)
+
+
+def _felt(model: Model) -> NDArray[np.bool_]:
+    """Which nodes (n,) a contact has."""
+    felt = np.zeros(model.ids.size, bool)
+    for force in model.forces:
+        if isinstance(force, Contact):
+            felt[force.tracked] = felt[force.segments] = True
+    return felt
 
 
 def largest_ratio(mass: float, inverse: Array, arm: Array, weight: Array) -> float:

@@ -8,6 +8,7 @@ from vmharness.deck import Entry
 from vmharness.explicit.state import Array
 
 FLAT = 1e-12  # a principal moment below this share of the largest is that of a line of points: zero
+DIGITS = 1e-4  # of the largest: a field of ten columns may hold no more than five digits of a number
 
 
 @dataclass(frozen=True)
@@ -35,17 +36,40 @@ def of_card(entry: Entry, centre: Array) -> Inertia:
     """What the cards of *PART_INERTIA or *CONSTRAINED_NODAL_RIGID_BODY_INERTIA give, with IRCS = 1 turned to space.
 
     The local axes are e1 along XL, YL, ZL, e3 along e1 x (XLIP, YLIP, ZLIP), e2 = e3 x e1. Products of inertia are
-    components of the tensor: IXY = -int x y dm. Raises DeckError where axes or tensor cannot be.
+    components of the tensor: IXY = -int x y dm. Raises DeckError where axes or tensor cannot be: of the principal
+    moments I1 <= I2 <= I3 none is negative, and I3 = int r1^2 + r2^2 dm <= I1 + I2, which a flat body reaches.
     """
     xx, xy, xz, yy, yz, zz = (getattr(entry, name) for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz"))
     tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
     if entry.ircs == 1:
         axes = _local_axes(entry)
         tensor = axes @ tensor @ axes.T
-    least, *_, largest = np.linalg.eigvalsh(tensor)
-    if least < -FLAT * largest:
-        raise entry.error("ixx", f"the tensor has a negative principal moment, {least:.6g}")
+    _check(entry, np.linalg.eigvalsh(tensor))
     return Inertia(entry.tm, centre, tensor)
+
+
+def _check(entry: Entry, moments: Array) -> None:
+    """Principal moments (3,), in increasing order, are those of a body; on the border within the digits of a card."""
+    given, allowed = ", ".join(f"{moment:.6g}" for moment in moments), DIGITS * np.abs(moments).max()
+    if moments[0] < -allowed:
+        raise entry.error("ixx", f"no body has principal moments {given}: the first is negative")
+    if moments[2] > moments[0] + moments[1] + allowed:
+        raise entry.error(
+            "ixx", f"no body has principal moments {given}: the last exceeds the sum of the others"
+        )
+
+
+def off_axis(inertia: Inertia, x: Array) -> Array:
+    """How far (m,) points `x` (m, 3) are from the line, or point, about which the body has no inertia; 0 without one.
+
+    Forces there would turn it without resistance: its equation of motion has no solution.
+    """
+    moments, axes = principal(inertia.tensor)
+    r = (x - inertia.centre) @ axes
+    without = moments == 0.0
+    if not without.any():
+        return np.zeros(len(x))
+    return np.asarray(np.linalg.norm(r if without.all() else r[:, ~without], axis=1))
 
 
 def _local_axes(entry: Entry) -> Array:

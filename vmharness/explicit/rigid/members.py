@@ -16,11 +16,13 @@ from vmharness.deck.keywords.part import PART, has_inertia
 from vmharness.explicit.dof import coded
 from vmharness.explicit.materials.rigid import KEYWORD as MAT_RIGID
 from vmharness.explicit.model import Model
-from vmharness.explicit.rigid.inertia import Inertia, of_card, of_points
+from vmharness.explicit.rigid.inertia import Inertia, of_card, of_points, off_axis
 from vmharness.explicit.rigid.numbers import body_number, definitions, lead_number, leads, numbers
 from vmharness.explicit.sets import node_set, nodes_of_parts
 
 Index = NDArray[np.intp]
+
+ROUND_OFF = 1e-3  # of the farthest node: on the axis of a tensor that has the digits of a card
 
 
 @dataclass
@@ -112,12 +114,23 @@ def _check_apart(model: Model, found: list[Member]) -> None:
         owner[member.nodes] = place
 
 
+def _check_lever(model: Model, member: Member, inertia: Inertia) -> None:
+    """A rod has no inertia about its axis, and a point none at all: no node may pull it round there."""
+    x = model.x0[member.nodes]
+    far, reach = off_axis(inertia, x), np.abs(x - inertia.centre).max(initial=0.0)
+    for row in member.nodes[far > ROUND_OFF * reach]:
+        what = f"a principal moment is zero, but node {model.ids[row]} is off that axis, and forces there have a moment"
+        raise member.entry.error("ixx", what)
+
+
 def inertia_of(model: Model, member: Member) -> Inertia:
     """Mass, centre and inertia of a body; raises DeckError where it has no mass."""
     s, nodes, entry = model.state, member.nodes, member.entry
     if member.has_inertia:
         at = np.array([entry.xc, entry.yc, entry.zc])
-        return of_card(entry, model.x0[model.row(entry, "nodeid", entry.nodeid)] if entry.nodeid else at)
+        given = of_card(entry, model.x0[model.row(entry, "nodeid", entry.nodeid)] if entry.nodeid else at)
+        _check_lever(model, member, given)
+        return given
     if not s.mass[nodes].any():
         raise entry.error("pid", "a rigid body without mass: its nodes have none")
     return of_points(model.x0[nodes], s.mass[nodes], s.inertia[nodes])

@@ -3,7 +3,8 @@
     0 segment set   1 shell set   2 part set   3 part   4 node set   5 all   6 all but a part set
 
 A face that two solids of one surface share is not on its outside, and no part of it. A segment of a set takes stiffness
-and thickness from the shell, or else the solid, that has the same corners.
+and thickness from the shell, or else the solid, that has the same corners. Beams have no facets: 5 and 6 refuse a deck
+in which they would be part of the surface.
 """
 
 from dataclasses import replace
@@ -12,12 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.element_beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
 from vmharness.deck.keywords.part import PART
+from vmharness.deck.keywords.set_part import SET_PART_LIST
 from vmharness.deck.keywords.set_segment import SET_SEGMENT
 from vmharness.deck.keywords.set_shell import SET_SHELL_LIST
 from vmharness.explicit.model import Model
 from vmharness.explicit.parts import Index
-from vmharness.explicit.sets import node_set, part_set
+from vmharness.explicit.sets import node_set
 from vmharness.explicit.surface.faces import corner_sets
 from vmharness.explicit.surface.facets import Facets, exterior
 
@@ -48,6 +51,7 @@ def _chosen(deck: Deck, every: Facets, entry: Entry, field: str, kind: int) -> N
     """Which facets belong to the parts or shells that are named, those between solids included."""
     number = getattr(entry, field)
     if kind == ALL:
+        _check_beams(deck, entry, field, [])
         return np.ones(every.pid.size, bool)
     if kind == SHELL_SET:
         named = deck.find(SET_SHELL_LIST, sid=number, referred_by=(entry, field))
@@ -57,10 +61,28 @@ def _chosen(deck: Deck, every: Facets, entry: Entry, field: str, kind: int) -> N
     if kind == ONE_PART:
         deck.find(PART, pid=number, referred_by=(entry, field))
         return every.pid == number
-    parts = sorted(part_set(deck, entry, field))
+    parts = _defined(deck, entry, field)
+    if kind == EXEMPT:
+        _check_beams(deck, entry, field, parts)
     if kind == PART_SET and (bare := sorted(set(parts) - set(every.pid.tolist()))):
         raise entry.error(field, f"part {bare[0]} of the set has neither shells nor solids")
     return np.isin(every.pid, parts, invert=kind == EXEMPT)
+
+
+def _defined(deck: Deck, entry: Entry, field: str) -> list[int]:
+    """The parts of a part set, each of which there must be."""
+    found = deck.find(SET_PART_LIST, sid=getattr(entry, field), referred_by=(entry, field))
+    for row, number in enumerate(found.parts.tolist()):
+        deck.find(PART, pid=number, referred_by=(found, "parts", row))
+    return sorted(found.parts.tolist())
+
+
+def _check_beams(deck: Deck, entry: Entry, field: str, exempt: list[int]) -> None:
+    """All that the deck has, but for parts that are exempt, is shells and solids, or nothing that touches."""
+    for table in deck.all(ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION):
+        for pid in table.pid[~np.isin(table.pid, exempt)][:1]:
+            what = f"part {pid} is beams, whose contact is not supported; name the parts without them, by a part set"
+            raise entry.error(field, what)
 
 
 def _segment_set(deck: Deck, model: Model, every: Facets, entry: Entry, field: str) -> Facets:

@@ -1,0 +1,117 @@
+"""Fields of contact cards that are read but act on nothing, here or beside the other fields: said in the run's facts.
+
+A field is said where its value is not the default. What would change the physics is refused as the card is read, see
+cards.py; but for SNLOG = 0, the default, whose logic for shooting nodes no contact here has.
+"""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from vmharness.deck import Deck, Entry, Keyword
+from vmharness.explicit.contact.number import number_of
+from vmharness.explicit.surface.choice import ALL
+
+Reason = tuple[tuple[str, ...], str]  # fields, and why they do not act
+
+SHOOTING = "a node that shoots through the surface is not moved back, as with SNLOG = 1 in all contacts"
+
+
+def of_contact(deck: Deck, entry: Entry, control: Mapping[str, Any], two_way: bool) -> dict[str, str]:
+    """The fact, by its name, that fields of a contact do not act; none where all do."""
+    name = f"contact {number_of(deck, entry)}"
+    facts = _fact(name, entry, _of_cards(entry, control, two_way))
+    if entry.snlog or _thick(entry, control):
+        facts[f"Shooting nodes of {name}"] = SHOOTING
+    return facts
+
+
+def of_control(control: Entry, contacts: list[Entry]) -> dict[str, str]:
+    """The same of *CONTROL_CONTACT, which acts on the `contacts` of the deck."""
+    return _fact("*CONTROL_CONTACT", control, _of_control(contacts))
+
+
+def automatic(entry: Entry) -> bool:
+    """Whether the contact is one of those in which thickness counts always."""
+    return "AUTOMATIC" in entry.keyword.name
+
+
+def _fact(name: str, entry: Entry, reasons: Iterator[Reason]) -> dict[str, str]:
+    defaults = _defaults(entry.keyword)
+    said = [
+        f"{field.upper()} = {entry.values[field]} ({why})"
+        for fields, why in reasons
+        for field in fields
+        if entry.values[field] != defaults[field]
+    ]
+    return {f"Without effect in {name}": "; ".join(said)} if said else {}
+
+
+def _defaults(keyword: Keyword) -> dict[str, Any]:
+    return {name: value for card in keyword.cards for name, value in card.defaults().items()}
+
+
+def _thick(entry: Entry, control: Mapping[str, Any]) -> bool:
+    return automatic(entry) or bool(entry.shlthk or control["shlthk"])
+
+
+def _of_cards(entry: Entry, control: Mapping[str, Any], two_way: bool) -> Iterator[Reason]:
+    yield ("sapr", "sbpr", "cid_rcf"), "of output alone"
+    yield ("bsort",), "velocities say when to sort"
+    yield ("igap",), "of implicit analysis"
+    yield ("sbopt", "depth"), "act with SOFT = 2"
+    if entry.soft == 0:
+        yield ("sofscl",), "acts with SOFT = 1"
+    if entry.penchk:
+        yield ("penmax",), "PENCHK rules"
+    if control["penopt"] == 2 and not two_way and "SINGLE" not in entry.keyword.name:
+        yield ("sfsa",), "PENOPT = 2: the stiffness is that of the segments"
+    for side in "ab":
+        if getattr(entry, f"surf{side}typ") == ALL:
+            yield (f"surf{side}",), "the kind of the surface is all"
+    yield from _of_thickness(entry, control)
+    yield from _of_friction(entry)
+
+
+def _of_thickness(entry: Entry, control: Mapping[str, Any]) -> Iterator[Reason]:
+    if automatic(entry):
+        yield ("shlthk",), "thickness always counts"
+    for side in "ab":
+        if not _thick(entry, control):
+            yield (f"s{side}st", f"sfs{side}t"), "SHLTHK = 0: no thickness counts"
+        elif getattr(entry, f"s{side}st"):
+            yield (f"sfs{side}t",), f"S{side.upper()}ST rules"
+
+
+def _of_friction(entry: Entry) -> Iterator[Reason]:
+    if entry.fs == entry.fd:
+        yield ("dc",), "FS = FD"
+    elif entry.dc == 0.0:
+        yield ("fd",), "DC = 0 keeps friction at FS"
+    if not (entry.fs or entry.fd):
+        yield ("vc", "fsf", "vsf"), "no friction"
+    elif not entry.vc:
+        yield ("vsf",), "VC = 0"
+
+
+def _of_control(contacts: list[Entry]) -> Iterator[Reason]:
+    plain = [entry for entry in contacts if not automatic(entry)]
+    yield ("nsbcs",), "velocities say when to sort"
+    yield ("islchk",), "initial penetrations are always looked for"
+    yield ("frceng",), "the energy of friction is always kept"
+    yield ("skiprwg", "outseg", "ftall"), "of output alone"
+    yield ("ecdt",), "acts on eroding contacts"
+    yield ("tiedprj",), "acts on tied contacts"
+    yield ("rwgaps",), "of implicit analysis"
+    yield ("rwpnal",), "acts on rigid bodies at rigid walls"
+    if not contacts:
+        yield ("slsfac", "penopt"), "no contact"
+    if all(entry.ignore for entry in contacts):
+        yield ("ignore",), "no contact without its own"
+    if not any(entry.penchk == 1 for entry in contacts):
+        yield ("xpene",), "acts with PENCHK = 1"
+    if not any("SINGLE" in entry.keyword.name for entry in contacts):
+        yield ("ssthk",), "acts on single surfaces"
+    if not plain:
+        yield ("orien",), "acts on contacts that are not automatic"
+    if all(entry.shlthk for entry in plain):
+        yield ("shlthk",), "no contact that is not automatic, without its own"
