@@ -128,7 +128,7 @@ def _residuals(axes: "Axes", together: list[Curve]) -> None:
     """Computed minus theory, in a power of ten of the unit, with the tolerances of the results at their events."""
     reach = [float(np.abs(curve.residual).max()) for curve in together]
     reach += [allowed for curve in together for _, allowed in curve.allowed.values()]
-    power = int(np.floor(np.log10(max(reach)))) if max(reach) > 0.0 else 0
+    power = _power(max(reach), most=1)
     scale = 10.0**-power
     axes.axhline(0.0, color=QUIET, linewidth=0.6)
     for number, curve in enumerate(together):
@@ -177,14 +177,14 @@ def _events(above: "Axes", below: "Axes", run: CaseRun, places: list[tuple[str, 
         )
 
 
-def _power(size: float) -> int:
-    """The power of ten in which numbers up to `size` are written; 0 where they have few digits without one.
+def _power(size: float, most: int = 4) -> int:
+    """The power of ten in which numbers up to `size` are written; 0 for one between -`most` and `most`.
 
     >>> _power(1.6e11), _power(3e-8), _power(25000.0), _power(0.0)
     (11, -8, 0, 0)
     """
     power = int(np.floor(np.log10(size))) if size > 0.0 else 0
-    return power if abs(power) > 4 else 0
+    return power if abs(power) > most else 0
 
 
 def _written_in(axes: "Axes", which: Literal["x", "y"], power: int) -> None:
