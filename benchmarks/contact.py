@@ -14,9 +14,10 @@ from typing import NamedTuple
 import numpy as np
 from meshes import deck, grid, quadrilaterals, rows
 
+from vmharness.explicit.build import build
+from vmharness.explicit.contact.contact import Contact
 from vmharness.explicit.loop import steps
-from vmharness.explicit.model import Model, build
-from vmharness.explicit.penalty.contact import Contact
+from vmharness.explicit.model.model import Model
 
 SIDES = (200, 632)  # 40 000 nodes and ten times as many
 CYCLES = 100  # less than half a swing on the penalty's spring

@@ -8,7 +8,7 @@ from typing import Any
 
 from vmharness.backends import builtin
 from vmharness.case import read
-from vmharness.explicit.model import build
+from vmharness.explicit.build import build
 
 CASE = read(Path(__file__).parents[1] / "cases" / "VM-061")
 

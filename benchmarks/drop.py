@@ -16,10 +16,11 @@ from meshes import deck, quadrilaterals, rows
 from numpy.typing import NDArray
 
 from vmharness.explicit import energy
+from vmharness.explicit.build import build
 from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.force import Force
 from vmharness.explicit.loop import steps
-from vmharness.explicit.model import Model, build
+from vmharness.explicit.model.model import Model
 
 Array = NDArray[np.float64]
 

@@ -15,7 +15,7 @@ from meshes import block, chain, moving, sheet
 from vmharness.explicit import energy
 from vmharness.explicit.force import Elements
 from vmharness.explicit.loop import steps
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.model import Model
 
 REPEATS = 40  # cycles, of which the quickest counts: others use the machine too
 

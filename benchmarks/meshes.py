@@ -7,7 +7,8 @@ import numpy as np
 
 from vmharness.backends.builtin import FOLDERS
 from vmharness.deck import Deck, read, vocabulary
-from vmharness.explicit.model import Model, build
+from vmharness.explicit.build import build
+from vmharness.explicit.model.model import Model
 
 HEAD = "*KEYWORD\n*CONTROL_TERMINATION\n       1.0\n*PART\np\n         1         1         1\n"
 

@@ -15,9 +15,9 @@ from typing import Any
 
 import numpy as np
 
-from vmharness.explicit.elements.shell_belytschko_tsay import BelytschkoTsay, Hourglass
-from vmharness.explicit.elements.shell_belytschko_tsay.hourglass import moduli
-from vmharness.explicit.model import Model
+from vmharness.explicit.elements.shell.belytschko_tsay import BelytschkoTsay, Hourglass
+from vmharness.explicit.elements.shell.belytschko_tsay.hourglass import moduli
+from vmharness.explicit.model.model import Model
 
 E, NU, DENSITY, THICKNESS, KAPPA = 210.0, 0.3, 7.8e-6, 1.0, 0.8333
 

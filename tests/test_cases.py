@@ -6,10 +6,10 @@ import pytest
 
 from vmharness.backends import builtin
 from vmharness.case import read
+from vmharness.case.tolerance import review
 from vmharness.compare import Verdict
-from vmharness.evidence.faults import planted
-from vmharness.evidence.tolerance import review
 from vmharness.run import run
+from vmharness.studies.faults.declared import planted
 
 FOLDERS = sorted(path.parent for path in (Path(__file__).parents[1] / "cases").glob("*/case.toml"))
 CASES = [read(folder) for folder in FOLDERS]

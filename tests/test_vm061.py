@@ -10,7 +10,7 @@ from vmharness import measure
 from vmharness.backends import builtin
 from vmharness.case import read
 from vmharness.compare import Verdict
-from vmharness.explicit import integrate
+from vmharness.explicit.kernels import integrate
 from vmharness.explicit.probes import node as node_probes
 from vmharness.history import History
 from vmharness.run import run

@@ -6,13 +6,13 @@ from collections.abc import Callable
 from vmharness.backends import Backend
 from vmharness.case import Case
 from vmharness.case.format import Result
+from vmharness.case.tolerance import budget
 from vmharness.compare import Comparison, Tolerance, Verdict, compare
 from vmharness.events import Event
-from vmharness.evidence.reading import readings
-from vmharness.evidence.tolerance import budget
 from vmharness.formula import Unit
 from vmharness.history import History
 from vmharness.measure import find_event, value_at
+from vmharness.reading import readings
 from vmharness.result import CaseRun, Published, Row, Solution
 
 Progress = Callable[[float], None]

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from vmharness.backends import builtin
+from vmharness.backends.builtin.view import view_of
 from vmharness.case import read
 from vmharness.run import run
-from vmharness.view import view_of
 
 BALL = Path(__file__).parents[2] / "cases" / "VM-061"
 GRAVITY = "*LOAD_BODY_Z\n$#    lcid        sf    lciddr        xc        yc        zc\n         1        &G\n"

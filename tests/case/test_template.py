@@ -6,7 +6,7 @@ from vmharness.backends.builtin import read_deck, solve
 from vmharness.case import CaseError, read
 from vmharness.case.format import Fault
 from vmharness.case.template import render
-from vmharness.evidence.faults import planted
+from vmharness.studies.faults.declared import planted
 
 BAR = Path(__file__).parents[2] / "cases" / "D-37"
 

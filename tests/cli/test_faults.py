@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from vmharness.case import read
-from vmharness.evidence.faults import planted
+from vmharness.studies.faults.declared import planted
 
 CASE = read(Path(__file__).parents[2] / "cases" / "VM-061")
 WIDTH = 10  # of a field of *PARAMETER

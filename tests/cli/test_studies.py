@@ -7,8 +7,8 @@ import pytest
 
 from vmharness.backends.builtin import SOLVER
 from vmharness.case import read
-from vmharness.study import store, variant
-from vmharness.study.converge import levels
+from vmharness.studies import store, variant
+from vmharness.studies.converge.levels import levels
 
 HALF = "levels  = [45, 90, 180, 360, 720]", "levels  = [90, 180, 360]"
 

@@ -7,7 +7,8 @@ import pytest
 
 from vmharness.backends.builtin import FOLDERS
 from vmharness.deck import Deck, read, vocabulary
-from vmharness.explicit.model import Model, build
+from vmharness.explicit.build import build
+from vmharness.explicit.model.model import Model
 
 # One fixed square shell of side 2 at z = 0 with nodes 1 to 4, which sets the time step; nothing else.
 # K A / d = E/(3 (1 - 2 nu)) 4/(2 sqrt 2) with E = 3, nu = 0: sqrt(2).

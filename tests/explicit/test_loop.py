@@ -153,7 +153,7 @@ def test_step_below_dtmin_is_an_error(wall_and):
 
 
 def test_nothing_that_sets_a_step_is_an_error(deck):
-    from vmharness.explicit.model import build
+    from vmharness.explicit.build import build
 
     model = build(deck("*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*NODE\n1,0,0,0\n*ELEMENT_MASS\n1,1,1.0\n"))
     with pytest.raises(SolverError, match=r"nothing sets it; .*LCTM can"):

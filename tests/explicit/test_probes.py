@@ -2,7 +2,7 @@
 
 import pytest
 
-from vmharness import dropins
+from vmharness import plugins
 from vmharness.case.format import OWNERS
 from vmharness.explicit import probes
 from vmharness.explicit.probe import ProbeError, split
@@ -10,7 +10,7 @@ from vmharness.explicit.probes import probe
 
 
 def test_every_key_of_a_channel_has_just_one_kind():
-    keys = [key for kind in dropins.modules(probes.__name__) for key in kind.KEYS]
+    keys = [key for kind in plugins.modules(probes.__name__) for key in kind.KEYS]
     assert sorted(keys) == sorted(OWNERS)
 
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError
+from vmharness.explicit.build import build
 from vmharness.explicit.damping.stiffness.build import shortened
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.loop import steps
-from vmharness.explicit.model import build
 from vmharness.explicit.probes import probe
 
 HEAD = "*KEYWORD\n*CONTROL_TERMINATION\n{end}\n*CONTROL_TIMESTEP\n0.0,{tssfac}\n*PART\np\n1,1,1\n"

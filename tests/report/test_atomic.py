@@ -4,7 +4,8 @@ import os
 
 import pytest
 
-from vmharness.report import atomic, write_case
+from vmharness.execution import atomic
+from vmharness.report import write_case
 
 
 def test_writes_and_makes_the_folder(tmp_path):
@@ -33,7 +34,7 @@ def test_a_page_that_cannot_be_rendered_leaves_the_old_pages_alone(good, tmp_pat
     def broken(*_):
         raise ValueError("no such filter")
 
-    monkeypatch.setattr("vmharness.report.pages.markdown.case", broken)
+    monkeypatch.setattr("vmharness.report.formats.markdown.case", broken)
     with pytest.raises(ValueError, match="no such filter"):
         write_case(good, tmp_path, volatile=False)
     assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before

@@ -3,11 +3,11 @@
 import pytest
 
 from vmharness import report
-from vmharness.evidence.detection import Detection, Finding, Noticed
-from vmharness.evidence.explanation import SAMPLING, Column, Explanation, Part, explained
-from vmharness.evidence.reading import last_cycles
+from vmharness.reading import last_cycles
 from vmharness.report import section
-from vmharness.report.studies import faults
+from vmharness.report.sections import faults
+from vmharness.studies.explain.explanation import SAMPLING, Column, Explanation, Part, explained
+from vmharness.studies.faults.detection import Detection, Finding, Noticed
 
 
 def detection(case, *findings):

@@ -2,7 +2,7 @@ from dataclasses import dataclass
 
 import pytest
 
-from vmharness import dropins, report
+from vmharness import plugins, report
 from vmharness.report import section
 from vmharness.report.section import Figure, Section, Studies, Table
 
@@ -30,10 +30,10 @@ class Study:
 @pytest.fixture
 def study(monkeypatch):
     """One study, called kept, in place of those that there are."""
-    names, module = dropins.names, dropins.module
-    monkeypatch.setattr(section.dropins, "names", lambda p: ["kept"] if p == section.STUDIES else names(p))
+    names, module = plugins.names, plugins.module
+    monkeypatch.setattr(section.plugins, "names", lambda p: ["kept"] if p == section.STUDIES else names(p))
     monkeypatch.setattr(
-        section.dropins, "module", lambda p, name: Study if p == section.STUDIES else module(p, name)
+        section.plugins, "module", lambda p, name: Study if p == section.STUDIES else module(p, name)
     )
 
 

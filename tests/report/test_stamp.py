@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import pytest
 
 from vmharness import report
-from vmharness.evidence.detection import Detection
-from vmharness.evidence.maker import Maker
 from vmharness.report import section
 from vmharness.report.stamp import stale
+from vmharness.studies.faults.detection import Detection
+from vmharness.studies.maker import Maker
 
 OURS, OTHERS = "a1" * 32, "b2" * 32
 

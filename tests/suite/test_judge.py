@@ -2,8 +2,8 @@ from pathlib import Path
 
 from vmharness.case import read
 from vmharness.compare import Verdict
+from vmharness.execution.message import Began, Done, Lost, Raised
 from vmharness.suite.judge import judged
-from vmharness.suite.message import Began, Done, Lost, Raised
 from vmharness.suite.outcome import Outcome, Status
 
 BALL = Path(__file__).parents[2] / "cases" / "VM-061"

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Protocol, cast
 
-from vmharness import dropins
+from vmharness import plugins
 from vmharness.case import Case
 from vmharness.result import Solution
 
@@ -17,11 +17,11 @@ class Backend(Protocol):
 
 def names() -> list[str]:
     """The solvers that there are."""
-    return dropins.names(__name__)
+    return plugins.names(__name__)
 
 
 def backend(name: str) -> Backend:
     """The solver `name`; raises KeyError if the folder has none of that name."""
     if name not in names():
         raise KeyError(name)
-    return cast(Backend, dropins.module(__name__, name))
+    return cast(Backend, plugins.module(__name__, name))

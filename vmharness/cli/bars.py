@@ -3,7 +3,7 @@
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 
-from vmharness.suite.message import Began, Message, Progress
+from vmharness.execution.message import Began, Message, Progress
 from vmharness.suite.outcome import Outcome
 
 

@@ -10,10 +10,10 @@ from vmharness.cli.options import How
 from vmharness.cli.say import complain, say
 
 if TYPE_CHECKING:
-    from vmharness.study.gather import Plant
-    from vmharness.study.measured import Measured
-    from vmharness.study.variant import Variant
-    from vmharness.suite.pool import Pool
+    from vmharness.execution.pool import Pool
+    from vmharness.studies.gather import Plant
+    from vmharness.studies.measured import Measured
+    from vmharness.studies.variant import Variant
 
 
 def gathered(
@@ -27,9 +27,9 @@ def gathered(
 
     An interrupt is passed on, once it is said that what is done is kept.
     """
-    from vmharness.study.gather import gather
-    from vmharness.study.measured import Measured
-    from vmharness.suite.message import Progress
+    from vmharness.execution.message import Progress
+    from vmharness.studies.gather import gather
+    from vmharness.studies.measured import Measured
 
     found: dict[int, Measured] = {}
     try:
@@ -52,7 +52,8 @@ def gathered(
 
 def write_record(root: Path, case: str, name: str, record: Any, json: Path | None) -> None:
     """Leave the record of a study for the page of the case, and write the same where --json asks for it."""
-    from vmharness.report import atomic, section
+    from vmharness.execution import atomic
+    from vmharness.report import section
 
     path = section.write(root, case, name, record)
     if json is not None:

@@ -4,7 +4,7 @@ import difflib
 
 import click
 
-from vmharness import dropins
+from vmharness import plugins
 
 COMMANDS = "vmharness.cli.commands"
 
@@ -14,7 +14,7 @@ class Folder(click.Group):
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Names of the commands."""
-        return dropins.names(COMMANDS)
+        return plugins.names(COMMANDS)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """The command of that name; UsageError with near names where there is none."""
@@ -23,7 +23,7 @@ class Folder(click.Group):
             near = difflib.get_close_matches(cmd_name, names, n=2)
             there = f"did you mean {' or '.join(near)}?" if near else f"there are: {', '.join(names)}"
             raise click.UsageError(f"no command {cmd_name}; {there}", ctx)
-        command: click.Command = dropins.module(COMMANDS, cmd_name).command
+        command: click.Command = plugins.module(COMMANDS, cmd_name).command
         return command
 
 

@@ -10,7 +10,7 @@ import click
 
 from vmharness.cli.group import vm
 from vmharness.cli.say import complain
-from vmharness.suite.garbage import collect_rarely
+from vmharness.execution.garbage import collect_rarely
 
 INTERRUPTED, DEFECT, USAGE = 2, 3, 4
 

@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 import click
 
 import vmharness
-from vmharness.suite import settings
+from vmharness.case import settings
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 

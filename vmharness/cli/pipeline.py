@@ -5,14 +5,15 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
+from vmharness.case import settings
 from vmharness.cli import reports
 from vmharness.cli.bars import shown
 from vmharness.cli.read import read_cases
 from vmharness.cli.say import complain, say
-from vmharness.suite import last_run, settings
+from vmharness.execution.pool import Pool
+from vmharness.suite import last_run
 from vmharness.suite.judge import judged, solving
 from vmharness.suite.outcome import Outcome, Status, Unwritten
-from vmharness.suite.pool import Pool
 from vmharness.suite.select import Entry
 
 NOT_REACHED = "interrupted before it was done"
@@ -91,7 +92,7 @@ def _page(outcome: Outcome, wanted: Wanted) -> list[Unwritten]:
 
 
 def _say_if_cold(solver: str) -> None:
-    from vmharness.explicit import cache
+    from vmharness.explicit.kernels import cache
 
     if solver == COMPILED and cache.is_cold():
         say("compiling the solver's kernels: a first run takes longer, up to a minute")

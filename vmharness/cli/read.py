@@ -3,9 +3,9 @@
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from vmharness.case.settings import with_settings
 from vmharness.suite.outcome import Outcome, Status
 from vmharness.suite.select import Entry
-from vmharness.suite.settings import with_settings
 
 if TYPE_CHECKING:
     from vmharness.case import Case

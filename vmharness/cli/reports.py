@@ -44,7 +44,7 @@ def write_page(run: "CaseRun", root: Path, name: str, indexed: bool) -> None:
 def write_file(format: str, runs: list["CaseRun"], unrun: Sequence["Unrun"], path: Path) -> None:
     """Write all runs, and the cases without one, in a format for machines."""
     from vmharness import report
-    from vmharness.report import atomic
+    from vmharness.execution import atomic
 
     atomic.write(path, report.render(format, runs, unrun))
 

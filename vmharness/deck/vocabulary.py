@@ -1,6 +1,6 @@
 """The keywords that a reader knows: the folder is the list."""
 
-from vmharness import dropins
+from vmharness import plugins
 from vmharness.deck.keyword import Keyword
 
 
@@ -11,7 +11,7 @@ def vocabulary(*packages: str) -> dict[str, Keyword]:
     """
     found: dict[str, Keyword] = {}
     for package in packages:
-        for module in dropins.modules(package):
+        for module in plugins.modules(package):
             for value in vars(module).values():
                 for keyword in value if isinstance(value, tuple) else (value,):
                     if isinstance(keyword, Keyword):

@@ -4,7 +4,7 @@ from vmharness.explicit import energy
 from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.force import Force
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.model import Model
 
 EVERY = 50  # cycles between two looks
 LIMIT = 10.0  # times the energy that was ever put in

@@ -5,7 +5,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.state import Array, State
+from vmharness.explicit.model.state import Array, State
 
 
 class Constraint(Protocol):

@@ -2,10 +2,10 @@
 
 from collections.abc import Iterable
 
-from vmharness.explicit.compiled import kernel
 from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.force import Force
-from vmharness.explicit.state import Array, State
+from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.model.state import Array, State
 
 # Stored or dissipated: with the kinetic energy, the total. See `ratio`.
 STORED = (

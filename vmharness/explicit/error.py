@@ -1,6 +1,6 @@
 """What ends a run before its time."""
 
-from vmharness.explicit.state import State
+from vmharness.explicit.model.state import State
 
 
 class SolverError(Exception):

@@ -3,12 +3,12 @@
 import math
 from collections.abc import Iterator
 
-from vmharness.explicit import integrate
 from vmharness.explicit.balance import Balance
 from vmharness.explicit.error import SolverError
-from vmharness.explicit.model import Model
-from vmharness.explicit.state import State
-from vmharness.explicit.threads import Crew
+from vmharness.explicit.kernels import integrate
+from vmharness.explicit.kernels.threads import Crew
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.state import State
 
 MOST_CYCLES = 1e11  # a run that would take more has a step that is as good as none
 

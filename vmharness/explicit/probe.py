@@ -5,8 +5,8 @@ A component is named by axis and quantity, as `z-displacement`.
 
 from collections.abc import Callable, Mapping
 
-from vmharness.explicit.model import Model
-from vmharness.explicit.state import Array
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.state import Array
 
 Probe = Callable[[], float]
 

@@ -3,11 +3,11 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-from vmharness import dropins
-from vmharness.report import atomic
+from vmharness import plugins
+from vmharness.execution import atomic
 from vmharness.result import CaseRun, Unrun
 
-PAGES, FILES = "vmharness.report.pages", "vmharness.report.files"
+PAGES, FILES = "vmharness.report.formats", "vmharness.report.exports"
 
 
 def write_case(run: CaseRun, folder: Path, volatile: bool = True, indexed: bool = False) -> list[Path]:
@@ -21,10 +21,10 @@ def write_case(run: CaseRun, folder: Path, volatile: bool = True, indexed: bool 
     from vmharness.report.prose import pictures
     from vmharness.report.section import studies
 
-    indexed = indexed or all((folder / form.FILE).is_file() for form in dropins.modules(PAGES))
+    indexed = indexed or all((folder / form.FILE).is_file() for form in plugins.modules(PAGES))
     to = folder / run.case.id
     content = page(run, volatile, indexed, studies(run.case, to))
-    texts = {to / form.FILE: form.case(content, to) for form in dropins.modules(PAGES)}
+    texts = {to / form.FILE: form.case(content, to) for form in plugins.modules(PAGES)}
     studied = [figure for each in (*content.published.values(), *content.studies) for figure in each.figures]
     for figure in filter(None, [content.model, *content.histories, *studied]):
         texts[to / f"{figure.name}.svg"] = figure.svg
@@ -39,19 +39,19 @@ def write_index(runs: list[CaseRun], folder: Path, unrun: Sequence[Unrun] = ()) 
     """Write the index over `runs`, and the cases without one, into `folder` in every format; raises OSError."""
     from vmharness.report.index import index
     from vmharness.report.section import summaries
-    from vmharness.report.studies import faults
+    from vmharness.report.sections import faults
 
     studied = {run.case.id: summaries(run.case, folder / run.case.id) for run in runs}
     content = index(runs, unrun, studied, faults.manual([run.case for run in runs], folder))
-    texts = {folder / form.FILE: form.index(content) for form in dropins.modules(PAGES)}
+    texts = {folder / form.FILE: form.index(content) for form in plugins.modules(PAGES)}
     return [atomic.write(path, text) for path, text in texts.items()]
 
 
 def formats() -> list[str]:
     """The formats for machines, by name: each a file that is written where it is asked for."""
-    return dropins.names(FILES)
+    return plugins.names(FILES)
 
 
 def render(name: str, runs: list[CaseRun], unrun: Sequence[Unrun] = ()) -> str:
     """All runs, and the cases without one, in the format `name` of `formats()`."""
-    return str(dropins.module(FILES, name).render(runs, unrun))
+    return str(plugins.module(FILES, name).render(runs, unrun))

@@ -5,9 +5,7 @@ from dataclasses import dataclass
 
 from vmharness.case import Case, CaseError
 from vmharness.case.format import Budget, Fault, Given, as_line
-from vmharness.evidence.faults import Move, moves
-from vmharness.evidence.sensitivity import Sensitivity, sensitivities
-from vmharness.evidence.tolerance import budget_lines, review_measured
+from vmharness.case.tolerance import budget_lines, review_measured
 from vmharness.formula import Formula, Unit
 from vmharness.report import published
 from vmharness.report.figures import histories, model
@@ -16,6 +14,8 @@ from vmharness.report.prose import sections
 from vmharness.report.section import Figure, Section, Studies
 from vmharness.report.solver import short_name
 from vmharness.result import CaseRun, Row
+from vmharness.studies.faults.declared import Move, moves
+from vmharness.studies.sensitivity import Sensitivity, sensitivities
 
 
 @dataclass(frozen=True)

@@ -9,13 +9,13 @@ from typing import Any
 
 import msgspec
 
-from vmharness import dropins
+from vmharness import plugins
 from vmharness.case import Case
-from vmharness.report import atomic
+from vmharness.execution import atomic
 from vmharness.report.stamp import Stamp
 
 OLD = "The case was changed after this study: it is of an earlier state."
-STUDIES = "vmharness.report.studies"
+STUDIES = "vmharness.report.sections"
 FOLDER = "studies"
 
 
@@ -99,10 +99,10 @@ def summaries(case: Case, folder: Path) -> list[str]:
 
 def _records(case: Case, folder: Path) -> Iterator[tuple[ModuleType, bytes]]:
     """The record of each study that left one, with the module that knows it."""
-    for name in [] if case.changed else dropins.names(STUDIES):
+    for name in [] if case.changed else plugins.names(STUDIES):
         path = folder / FOLDER / f"{name}.json"
         if path.is_file():
-            yield dropins.module(STUDIES, name), path.read_bytes()
+            yield plugins.module(STUDIES, name), path.read_bytes()
 
 
 def _stamped(section: Section, content: bytes, case: Case) -> Section:

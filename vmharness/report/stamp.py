@@ -5,7 +5,7 @@ from pathlib import Path
 
 import msgspec
 
-from vmharness.evidence.maker import Maker
+from vmharness.studies.maker import Maker
 
 DIGITS = 8  # of a hash, where a reader is to tell two apart
 

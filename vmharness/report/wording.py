@@ -3,10 +3,10 @@
 from collections.abc import Mapping
 
 from vmharness.compare import Verdict
-from vmharness.evidence.sensitivity import Sensitivity, smallest_seen
 from vmharness.report.number import DASH, decimals, given, positional, share
 from vmharness.report.page import Page, PlantedFault, worst_row
 from vmharness.result import CaseRun
+from vmharness.studies.sensitivity import Sensitivity, smallest_seen
 
 SIGNS = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.ERROR: "!"}
 

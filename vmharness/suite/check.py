@@ -22,9 +22,9 @@ def check(folder: Path, errors: Mapping[str, float] | None = None) -> Review:
 
     `errors`: how far its results were from their targets when last run, as fractions, by key.
     """
-    from vmharness.case import CaseError, read
-    from vmharness.evidence import faults, tolerance
+    from vmharness.case import CaseError, read, tolerance
     from vmharness.report import prose
+    from vmharness.studies.faults import declared as faults
 
     review = Review()
     try:
@@ -44,7 +44,7 @@ def _deck(case: "Case") -> list[str]:
     """What keeps the built-in solver from running the deck."""
     from vmharness.backends import builtin
     from vmharness.deck import DeckError
-    from vmharness.explicit.model import build
+    from vmharness.explicit.build import build
     from vmharness.explicit.probe import ProbeError
 
     try:

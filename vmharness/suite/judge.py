@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from vmharness.suite.message import Began, Done, Lost, Message, Raised
+from vmharness.execution.message import Began, Done, Lost, Message, Raised
+from vmharness.execution.pool import Pool
+from vmharness.execution.worker import Work
 from vmharness.suite.outcome import Outcome, Status
-from vmharness.suite.pool import Pool
-from vmharness.suite.worker import Work
 
 if TYPE_CHECKING:
     from vmharness.case import Case

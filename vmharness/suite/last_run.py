@@ -27,7 +27,7 @@ def not_passed(folder: Path) -> set[str]:
 
 def write(folder: Path, outcomes: Iterable[Outcome]) -> None:
     """Keep the new outcomes; those of cases that were not selected stay."""
-    from vmharness.report import atomic
+    from vmharness.execution import atomic
 
     new = {outcome.id: {"status": str(outcome.status), "errors": _errors(outcome)} for outcome in outcomes}
     known = {**_entries(folder), **new}

@@ -2,10 +2,10 @@
 
 import pytest
 
+from vmharness.explicit.build import build
 from vmharness.explicit.contact.control import control_of
 from vmharness.explicit.contact.sides import Sides
-from vmharness.explicit.model import build
-from vmharness.explicit.surface.facets import all_facets
+from vmharness.explicit.contact.surface.facets import all_facets
 
 # K = E / (3 (1 - 2 nu)) = 1 of the shells, 2 of the solids. A triangle of part 1 joins its quadrilateral; the two bricks
 # are parts 2 and 3, 1 x 1 x 2 and 1 x 1 x 1, one on the other.

@@ -5,14 +5,14 @@ import math
 import numpy as np
 import pytest
 
+from vmharness.backends.builtin.view import view_of
 from vmharness.deck import DeckError
+from vmharness.explicit.build import build
+from vmharness.explicit.contact.contact import Contact
+from vmharness.explicit.contact.released import released
 from vmharness.explicit.loop import steps
-from vmharness.explicit.model import build
-from vmharness.explicit.penalty.contact import Contact
-from vmharness.explicit.penalty.released import released
 from vmharness.explicit.probe import ProbeError
 from vmharness.explicit.probes import probe
-from vmharness.view import view_of
 
 # The wall of the fixture is 0.1 thick, and K A/d = sqrt(2); node 5 is a ball of mass 0.5.
 BALL = "*ELEMENT_MASS\n105,5,0.5\n*SET_NODE_LIST\n2\n5\n*CONTROL_CONTACT\n1.0\n\n"

@@ -3,7 +3,7 @@
 import pytest
 
 from vmharness.deck import DeckError
-from vmharness.explicit.model import build
+from vmharness.explicit.build import build
 
 PLAIN, AUTOMATIC = "CONTACT_NODES_TO_SURFACE", "CONTACT_AUTOMATIC_NODES_TO_SURFACE"
 TWO_WAY, SINGLE = "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", "CONTACT_AUTOMATIC_SINGLE_SURFACE"

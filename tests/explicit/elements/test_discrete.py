@@ -7,10 +7,10 @@ import pytest
 
 from vmharness.deck import DeckError
 from vmharness.explicit import energy
+from vmharness.explicit.build import build
 from vmharness.explicit.elements.discrete.limit import stable_step
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.loop import steps
-from vmharness.explicit.model import build
 from vmharness.explicit.probe import ProbeError
 from vmharness.explicit.probes import probe
 

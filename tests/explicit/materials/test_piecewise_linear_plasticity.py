@@ -5,7 +5,7 @@ import pytest
 
 from vmharness.deck import DeckError
 from vmharness.explicit.materials import piecewise_linear_plasticity
-from vmharness.explicit.plasticity.piecewise_linear import value_and_slope
+from vmharness.explicit.materials._plasticity.piecewise_linear import value_and_slope
 
 CARD = "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,7.8e-6,210.0,0.3,{sigy}\n{second}\n{eps}\n{es}\n"
 CURVE = "*DEFINE_CURVE\n{lcid}\n{points}\n"

@@ -5,7 +5,8 @@ from collections.abc import Callable
 import pytest
 
 from vmharness.deck import Deck
-from vmharness.explicit.model import Model, build
+from vmharness.explicit.build import build
+from vmharness.explicit.model.model import Model
 from vmharness.explicit.rigid.bodies import Bodies
 
 HEAD = """*KEYWORD

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from vmharness.explicit import energy
+from vmharness.explicit.build import build
 from vmharness.explicit.loop import steps
-from vmharness.explicit.model import build
 from vmharness.explicit.probes import probe
 from vmharness.explicit.rigid.bodies import Bodies
 

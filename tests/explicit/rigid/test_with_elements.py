@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError
+from vmharness.explicit.build import build
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.loop import steps
-from vmharness.explicit.model import build
 from vmharness.explicit.probes import probe
 
 CORNERS = """*NODE

@@ -53,7 +53,7 @@ def _stale(case: Entry) -> list[str]:
     from vmharness.case.digest import inputs
     from vmharness.report.section import FOLDER
     from vmharness.report.stamp import stale
-    from vmharness.study.variant import sources
+    from vmharness.studies.variant import sources
 
     return stale(REPORTS / case.id / FOLDER, inputs(case.folder), sources())
 
@@ -61,7 +61,7 @@ def _stale(case: Entry) -> list[str]:
 def _write(path: Path, reviews: dict[str, Review]) -> None:
     import msgspec
 
-    from vmharness.report import atomic
+    from vmharness.execution import atomic
 
     found = [
         {"case": id, "wrong": review.wrong, "doubtful": review.doubtful} for id, review in reviews.items()

@@ -10,7 +10,7 @@ from vmharness.cli.say import complain, say, say_rows
 from vmharness.suite.outcome import EXIT_CODES, Status
 
 if TYPE_CHECKING:
-    from vmharness.evidence.two_runs import Pair, Run
+    from vmharness.studies.compare import Pair, Run
 
 RUN = click.Path(exists=True, dir_okay=False, path_type=Path)
 
@@ -28,8 +28,8 @@ def command(first: Path, second: Path, every: bool, json: Path | None) -> int:
     """
     import msgspec
 
-    from vmharness.evidence.two_runs import pairs
-    from vmharness.report import atomic
+    from vmharness.execution import atomic
+    from vmharness.studies.compare import pairs
 
     runs = [_read(path) for path in (first, second)]
     found = pairs(*runs)
@@ -42,8 +42,8 @@ def command(first: Path, second: Path, every: bool, json: Path | None) -> int:
 def _read(path: Path) -> "Run":
     import msgspec
 
-    from vmharness.evidence.two_runs import Run
-    from vmharness.report.files.json import SCHEMA
+    from vmharness.report.exports.json import SCHEMA
+    from vmharness.studies.compare import Run
 
     try:
         run = msgspec.json.decode(path.read_bytes(), type=Run)

@@ -13,7 +13,7 @@ from vmharness.cli.selection import CASES
 from vmharness.suite.outcome import EXIT_CODES, Status
 
 if TYPE_CHECKING:
-    from vmharness.evidence.convergence import Convergence
+    from vmharness.studies.converge.convergence import Convergence
 
 
 @click.command("converge")
@@ -29,7 +29,7 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
     ID is an id, or the path of a case folder.
     """
     from vmharness.case import CaseError
-    from vmharness.study.converge import convergence, levels
+    from vmharness.studies.converge.levels import convergence, levels
 
     try:
         case = one(selector, cases)
@@ -49,7 +49,7 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
 
 
 def _show(found: "Convergence") -> None:
-    from vmharness.report.studies.converge import plan, remarks, tables
+    from vmharness.report.sections.converge import plan, remarks, tables
 
     for table in tables(found):
         say_rows(table)

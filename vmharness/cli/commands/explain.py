@@ -15,7 +15,7 @@ from vmharness.suite.outcome import EXIT_CODES, Status
 
 if TYPE_CHECKING:
     from vmharness.case import Case
-    from vmharness.evidence.explanation import Column
+    from vmharness.studies.explain.explanation import Column
 
 
 @click.command("explain")
@@ -31,8 +31,8 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
     ID is an id, or the path of a case folder.
     """
     from vmharness.case import CaseError
-    from vmharness.report.studies.explain import remarks, tables
-    from vmharness.study.explain import explanation, variants
+    from vmharness.report.sections.explain import remarks, tables
+    from vmharness.studies.explain.variants import explanation, variants
 
     try:
         case = one(selector, cases)
@@ -59,7 +59,7 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
 def _columns(case: "Case", solver: str) -> "list[Column]":
     """Published columns, if there are any: the whole history of one more run is needed to read them."""
     from vmharness.backends import backend
-    from vmharness.study.published import columns
+    from vmharness.studies.explain.published import columns
 
     if not case.published:
         return []

@@ -14,7 +14,7 @@ from vmharness.suite.outcome import EXIT_CODES, NOTHING_SELECTED, Status, exit_c
 
 if TYPE_CHECKING:
     from vmharness.case import Case
-    from vmharness.evidence.detection import Detection
+    from vmharness.studies.faults.detection import Detection
 
 
 @click.command("faults")
@@ -54,9 +54,9 @@ def command(
 
 def _detections(cases: "list[Case]", how: How) -> "tuple[list[Detection], int]":
     """What became of all faults in each case, and how many cases do not even pass without one."""
-    from vmharness.evidence.plant import plant
-    from vmharness.study.faults import StudyError, detection, planted
-    from vmharness.study.variant import Variant
+    from vmharness.studies.faults.plant import plant
+    from vmharness.studies.faults.study import StudyError, detection, planted
+    from vmharness.studies.variant import Variant
 
     sound = gathered([Variant(case) for case in cases], how, "sound runs")
     plans = []
@@ -75,8 +75,8 @@ def _detections(cases: "list[Case]", how: How) -> "tuple[list[Detection], int]":
 
 def _show(detections: "list[Detection]") -> None:
     """The score of each case with what it misses, then what no case catches."""
-    from vmharness.evidence.detection import coverage
-    from vmharness.report.studies.faults import to_do
+    from vmharness.report.sections.faults import to_do
+    from vmharness.studies.faults.detection import coverage
 
     table = plain_table("Case", "Caught", "Missed")
     for found in detections:
@@ -92,8 +92,8 @@ def _show(detections: "list[Detection]") -> None:
 def _write(path: Path, detections: "list[Detection]") -> None:
     import msgspec
 
-    from vmharness.evidence.detection import coverage
-    from vmharness.report import atomic
+    from vmharness.execution import atomic
+    from vmharness.studies.faults.detection import coverage
 
     record = {"cases": detections, "coverage": coverage(detections)}
     atomic.write(path, msgspec.json.format(msgspec.json.encode(record), indent=1).decode() + "\n")

@@ -62,7 +62,7 @@ def _theory(case: "Case") -> None:
 
 
 def _results(case: "Case") -> None:
-    from vmharness.evidence.tolerance import allowed, budget
+    from vmharness.case.tolerance import allowed, budget
     from vmharness.formula import Unit
     from vmharness.report.number import fraction
 

@@ -10,7 +10,7 @@ from vmharness.suite.outcome import EXIT_CODES, Status
 
 if TYPE_CHECKING:
     from vmharness.deck import Deck
-    from vmharness.explicit.model import Model
+    from vmharness.explicit.model.model import Model
     from vmharness.explicit.probe import Probe
     from vmharness.history import History
 
@@ -30,7 +30,7 @@ def command(path: Path, csv: Path | None) -> int:
     """
     from vmharness.backends.builtin import FOLDERS, record
     from vmharness.deck import DeckError, read, vocabulary
-    from vmharness.explicit.model import build
+    from vmharness.explicit.build import build
     from vmharness.explicit.probe import ProbeError
 
     try:
@@ -70,7 +70,7 @@ def _probes(deck: "Deck", model: "Model") -> "dict[str, Probe]":
 
 
 def _say(deck: "Deck", model: "Model", history: "History", seconds: float) -> None:
-    from vmharness.explicit.penalty.released import released
+    from vmharness.explicit.contact.released import released
 
     say(f"{deck.path.name}: {deck.title}")
     facts = model.facts | released(model)
@@ -87,7 +87,7 @@ def _say(deck: "Deck", model: "Model", history: "History", seconds: float) -> No
 
 def _states(deck: "Deck", history: "History") -> "History":
     """The samples at the deck's output interval."""
-    from vmharness.evidence.reading import states
+    from vmharness.reading import states
 
     asked = [entry.dt for name in ("NODOUT", "GLSTAT") for entry in deck.all(f"DATABASE_{name}") if entry.dt]
     chosen = states(history, min(asked, default=float(history.time[-1]) / STATES))

@@ -40,9 +40,9 @@ def command(
     ID is an id, or the path of a case folder.
     """
     from vmharness.case import CaseError
-    from vmharness.report.studies.sweep import plan, remarks, tables, verdict
-    from vmharness.study import sweep
-    from vmharness.study.gather import pool
+    from vmharness.report.sections.sweep import plan, remarks, tables, verdict
+    from vmharness.studies.gather import pool
+    from vmharness.studies.sweep import points as sweep
 
     if points is not None and grid is not None:
         raise click.UsageError("--points and --grid do not go together")

@@ -12,8 +12,8 @@ from vmharness.deck import Card, Deck, Keyword
 from vmharness.deck.field import integer
 from vmharness.explicit.constraints import prescribed_motion
 from vmharness.explicit.constraints.prescribed_motion import MOTION
-from vmharness.explicit.dof import place
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.dof import place
+from vmharness.explicit.model.model import Model
 from vmharness.explicit.rigid.members import held_by_cmo
 from vmharness.explicit.rigid.numbers import definitions, lead_number
 

@@ -6,11 +6,11 @@ from numpy.typing import NDArray
 from vmharness.deck import Card, Deck, Entry, Keyword
 from vmharness.deck.field import integer, only
 from vmharness.deck.keywords.node import NODE
-from vmharness.explicit.compiled import kernel
-from vmharness.explicit.dof import coded
-from vmharness.explicit.model import Model
-from vmharness.explicit.sets import node_set
-from vmharness.explicit.state import Array, State
+from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.model.dof import coded
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.sets import node_set
+from vmharness.explicit.model.state import Array, State
 
 DOFS = ("dofx", "dofy", "dofz", "dofrx", "dofry", "dofrz")
 FLAGS = {dof: integer(0, choices=(0, 1)) for dof in DOFS}

@@ -3,17 +3,17 @@
 import numpy as np
 
 from vmharness.deck import Deck, Keyword
+from vmharness.explicit.contact.contact import Contact
 from vmharness.explicit.contact.control import control_of
 from vmharness.explicit.contact.initial import treat
 from vmharness.explicit.contact.number import number_of
 from vmharness.explicit.contact.options import keeps_penetrations, options_of
+from vmharness.explicit.contact.segments import Segments
 from vmharness.explicit.contact.sides import Sides
+from vmharness.explicit.contact.surface.facets import all_facets
+from vmharness.explicit.contact.tracked import Tracked
 from vmharness.explicit.contact.without_effect import of_contact
-from vmharness.explicit.model import Model
-from vmharness.explicit.penalty.contact import Contact
-from vmharness.explicit.penalty.segments import Segments
-from vmharness.explicit.penalty.tracked import Tracked
-from vmharness.explicit.surface.facets import all_facets
+from vmharness.explicit.model.model import Model
 
 
 def add_contacts(

@@ -8,10 +8,10 @@ IGNORE = 1,2  the node stays, and its gap counts from there
 import numpy as np
 
 from vmharness.deck import Entry
-from vmharness.explicit.model import Model
-from vmharness.explicit.parts import Index
-from vmharness.explicit.penalty.contact import Contact
-from vmharness.explicit.penalty.tracked import Tracked
+from vmharness.explicit.contact.contact import Contact
+from vmharness.explicit.contact.tracked import Tracked
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.parts import Index
 
 
 def treat(

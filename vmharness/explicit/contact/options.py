@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from vmharness.deck import Entry
-from vmharness.explicit.penalty.options import Options
+from vmharness.explicit.contact.parameters import Options
 
 
 def options_of(entry: Entry, control: Mapping[str, Any]) -> Options:

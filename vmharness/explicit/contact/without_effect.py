@@ -9,7 +9,7 @@ from typing import Any
 
 from vmharness.deck import Deck, Entry, Keyword
 from vmharness.explicit.contact.number import number_of
-from vmharness.explicit.surface.choice import ALL
+from vmharness.explicit.contact.surface.choice import ALL
 
 Reason = tuple[tuple[str, ...], str]  # fields, and why they do not act
 

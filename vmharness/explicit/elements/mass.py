@@ -2,7 +2,9 @@
 
 from vmharness.deck import Deck
 from vmharness.deck.keywords.element_mass import ELEMENT_MASS
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.model import Model
+
+NAME = "lumped mass"
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -5,8 +5,8 @@ from numpy.typing import NDArray
 
 from vmharness.deck import Card, Deck, Entry, Keyword
 from vmharness.deck.field import integer, only, real
-from vmharness.explicit.model import Model
-from vmharness.explicit.sets import node_set
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.sets import node_set
 
 INITIAL_VELOCITY = Keyword(
     "INITIAL_VELOCITY",

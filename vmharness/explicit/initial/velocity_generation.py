@@ -13,9 +13,9 @@ from vmharness.deck import Card, Deck, Entry, Keyword
 from vmharness.deck.field import integer, only, real
 from vmharness.deck.keywords.part import PART
 from vmharness.explicit.initial.velocity import INITIAL_VELOCITY, INITIAL_VELOCITY_NODE
-from vmharness.explicit.model import Model
-from vmharness.explicit.sets import node_set, nodes_of_parts, part_set
-from vmharness.explicit.state import Array
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.sets import node_set, nodes_of_parts, part_set
+from vmharness.explicit.model.state import Array
 
 Index = NDArray[np.intp]
 

@@ -16,11 +16,13 @@ from numpy.typing import NDArray
 from vmharness.deck import Card, Deck, Keyword
 from vmharness.deck.field import Field, integer, only, real
 from vmharness.deck.keywords.part import PART
-from vmharness.explicit.compiled import kernel
-from vmharness.explicit.curve import Curve, time_curve
-from vmharness.explicit.model import Model
-from vmharness.explicit.sets import masses_of_parts, nodes_of_parts, part_set
-from vmharness.explicit.state import Array, State
+from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.model.curve import Curve, time_curve
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.sets import masses_of_parts, nodes_of_parts, part_set
+from vmharness.explicit.model.state import Array, State
+
+NAME = "body load"
 
 Index = NDArray[np.intp]
 

@@ -10,12 +10,14 @@ from numpy.typing import NDArray
 
 from vmharness.deck import Card, Deck, Entry, Keyword
 from vmharness.deck.field import Field, integer, only, real
-from vmharness.explicit.compiled import kernel
-from vmharness.explicit.curve import Curve, time_curve
-from vmharness.explicit.dof import DOF, place
-from vmharness.explicit.model import Model
-from vmharness.explicit.sets import node_set
-from vmharness.explicit.state import Array, State
+from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.model.curve import Curve, time_curve
+from vmharness.explicit.model.dof import DOF, place
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.sets import node_set
+from vmharness.explicit.model.state import Array, State
+
+NAME = "nodal load"
 
 Index = NDArray[np.intp]
 

@@ -18,11 +18,13 @@ from numpy.typing import NDArray
 from vmharness.deck import Card, Deck, Entry, Keyword
 from vmharness.deck.field import integer, only, real
 from vmharness.deck.keywords.set_segment import SET_SEGMENT
-from vmharness.explicit.compiled import kernel
-from vmharness.explicit.curve import Curve, time_curve
-from vmharness.explicit.model import Model
-from vmharness.explicit.state import Array, State
-from vmharness.explicit.vector import Vector, add, cross, scale, subtract
+from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.kernels.vector import Vector, add, cross, scale, subtract
+from vmharness.explicit.model.curve import Curve, time_curve
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.state import Array, State
+
+NAME = "pressure on segments"
 
 Index = NDArray[np.intp]
 

@@ -4,9 +4,9 @@ The rate is half a step old, as in the linear dashpot: the motion is accurate to
 """
 
 from vmharness.deck import Card, Deck, Entry, Keyword, integer
-from vmharness.explicit.characteristic import Characteristic, characteristic, ordinate, steepest
-from vmharness.explicit.state import Array
-from vmharness.explicit.vector import inlined
+from vmharness.explicit.kernels.vector import inlined
+from vmharness.explicit.model.characteristic import Characteristic, characteristic, ordinate, steepest
+from vmharness.explicit.model.state import Array
 
 KEYWORD = Keyword(
     "MAT_DAMPER_NONLINEAR_VISCOUS",

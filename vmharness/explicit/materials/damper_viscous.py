@@ -5,8 +5,8 @@ accurate to the first order in dt only, with an error of about C dt/(2 m) of the
 """
 
 from vmharness.deck import Card, Deck, Entry, Keyword, integer, real
-from vmharness.explicit.state import Array
-from vmharness.explicit.vector import inlined
+from vmharness.explicit.kernels.vector import inlined
+from vmharness.explicit.model.state import Array
 
 KEYWORD = Keyword(
     "MAT_DAMPER_VISCOUS",

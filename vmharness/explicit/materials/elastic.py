@@ -23,8 +23,8 @@ A law for uniaxial stress (bars) takes the increment of the axial strain and ret
 """
 
 from vmharness.deck import Card, Deck, Entry, Keyword, integer, only, real, skip
-from vmharness.explicit.state import Array
-from vmharness.explicit.vector import inlined
+from vmharness.explicit.kernels.vector import inlined
+from vmharness.explicit.model.state import Array
 
 KEYWORD = Keyword(
     "MAT_ELASTIC",

@@ -15,13 +15,13 @@ import numpy as np
 
 from vmharness.deck import Card, Deck, Entry, Keyword, integer, only, real, skip
 from vmharness.deck.keywords.define_curve import DEFINE_CURVE, points
+from vmharness.explicit.materials._plasticity.piecewise_linear import Curve, curve, line
+from vmharness.explicit.materials._plasticity.plane_stress import plane_stress
+from vmharness.explicit.materials._plasticity.rate import Rate, cowper_symonds
+from vmharness.explicit.materials._plasticity.solid import solid
+from vmharness.explicit.materials._plasticity.uniaxial import uniaxial
 from vmharness.explicit.materials.elastic import constants as elastic_constants
-from vmharness.explicit.plasticity.piecewise_linear import Curve, curve, line
-from vmharness.explicit.plasticity.plane_stress import plane_stress
-from vmharness.explicit.plasticity.rate import Rate, cowper_symonds
-from vmharness.explicit.plasticity.solid import solid
-from vmharness.explicit.plasticity.uniaxial import uniaxial
-from vmharness.explicit.state import Array
+from vmharness.explicit.model.state import Array
 
 __all__ = ["CHANNELS", "HISTORY", "KEYWORD", "constants", "plane_stress", "solid", "uniaxial"]
 

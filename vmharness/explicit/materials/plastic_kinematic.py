@@ -11,12 +11,12 @@ Source: R. D. Krieg, S. W. Key, Implementation of a time dependent plasticity th
 """
 
 from vmharness.deck import Card, Deck, Entry, Keyword, integer, only, real
+from vmharness.explicit.materials._plasticity.piecewise_linear import Curve, line
+from vmharness.explicit.materials._plasticity.plane_stress import plane_stress
+from vmharness.explicit.materials._plasticity.rate import Rate, cowper_symonds
+from vmharness.explicit.materials._plasticity.solid import solid
+from vmharness.explicit.materials._plasticity.uniaxial import uniaxial
 from vmharness.explicit.materials.elastic import constants as elastic_constants
-from vmharness.explicit.plasticity.piecewise_linear import Curve, line
-from vmharness.explicit.plasticity.plane_stress import plane_stress
-from vmharness.explicit.plasticity.rate import Rate, cowper_symonds
-from vmharness.explicit.plasticity.solid import solid
-from vmharness.explicit.plasticity.uniaxial import uniaxial
 
 __all__ = ["CHANNELS", "HISTORY", "KEYWORD", "constants", "plane_stress", "solid", "uniaxial"]
 

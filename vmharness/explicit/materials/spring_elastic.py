@@ -11,8 +11,8 @@ largest stiffness and the largest damping coefficient that the law can show, fro
 """
 
 from vmharness.deck import Card, Deck, Entry, Keyword, integer, real
-from vmharness.explicit.state import Array
-from vmharness.explicit.vector import inlined
+from vmharness.explicit.kernels.vector import inlined
+from vmharness.explicit.model.state import Array
 
 KEYWORD = Keyword(
     "MAT_SPRING_ELASTIC",

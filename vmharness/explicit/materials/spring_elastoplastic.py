@@ -9,8 +9,8 @@ its direction: exact for any size of step, since the path of a spring has no oth
 """
 
 from vmharness.deck import Card, Deck, Entry, Keyword, integer, real
-from vmharness.explicit.state import Array
-from vmharness.explicit.vector import inlined
+from vmharness.explicit.kernels.vector import inlined
+from vmharness.explicit.model.state import Array
 
 KEYWORD = Keyword(
     "MAT_SPRING_ELASTOPLASTIC",

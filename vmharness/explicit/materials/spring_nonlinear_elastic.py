@@ -5,9 +5,9 @@ rest would bear nothing; how LS-DYNA means it is not established.
 """
 
 from vmharness.deck import Card, Deck, Entry, Keyword, integer, only
-from vmharness.explicit.characteristic import Characteristic, characteristic, ordinate, steepest
-from vmharness.explicit.state import Array
-from vmharness.explicit.vector import inlined
+from vmharness.explicit.kernels.vector import inlined
+from vmharness.explicit.model.characteristic import Characteristic, characteristic, ordinate, steepest
+from vmharness.explicit.model.state import Array
 
 KEYWORD = Keyword(
     "MAT_SPRING_NONLINEAR_ELASTIC",

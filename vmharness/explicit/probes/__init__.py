@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from vmharness import dropins
-from vmharness.explicit.model import Model
+from vmharness import plugins
+from vmharness.explicit.model.model import Model
 from vmharness.explicit.probe import Probe
 
 
@@ -12,7 +12,7 @@ def probe(model: Model, **channel: Any) -> Probe:
 
     A node beside another key is where that is read. Raises ProbeError where the model has no such thing.
     """
-    kinds = [kind for kind in dropins.modules(__name__) if not channel.keys().isdisjoint(kind.KEYS)]
+    kinds = [kind for kind in plugins.modules(__name__) if not channel.keys().isdisjoint(kind.KEYS)]
     chosen = min(kinds, key=lambda kind: "node" in kind.KEYS)
     shown: Probe = chosen.probe(model, **channel)
     return shown

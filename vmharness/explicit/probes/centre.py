@@ -5,9 +5,9 @@ from typing import Literal
 import numpy as np
 
 from vmharness.explicit.force import Scalable
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.state import Array
 from vmharness.explicit.probe import Probe, ProbeError, choose, split
-from vmharness.explicit.state import Array
 
 KEYS = ("centre",)
 

@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.model import Model
-from vmharness.explicit.penalty.contact import Contact
+from vmharness.explicit.contact.contact import Contact
+from vmharness.explicit.model.model import Model
 from vmharness.explicit.probe import AXES, Probe, ProbeError, choose
 
 KEYS = ("contact",)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from vmharness.explicit.force import Elements
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.model import Model
 from vmharness.explicit.probe import Probe, ProbeError
 
 KEYS = ("shell", "solid", "beam", "discrete")

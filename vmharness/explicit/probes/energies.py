@@ -4,9 +4,9 @@ from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.energy import STORED, accounts, stored
 from vmharness.explicit.energy import ratio as ratio_of
 from vmharness.explicit.force import Elements, Force
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.state import Array
 from vmharness.explicit.probe import Probe, choose
-from vmharness.explicit.state import Array
 
 KEYS = ("energy",)
 

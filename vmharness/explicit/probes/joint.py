@@ -1,6 +1,6 @@
 """Forces of joints between rigid bodies."""
 
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.model import Model
 from vmharness.explicit.probe import Probe, ProbeError, of_resultant
 from vmharness.explicit.rigid.bodies import Bodies
 

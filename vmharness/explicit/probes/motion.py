@@ -1,7 +1,7 @@
 """Forces of prescribed motions."""
 
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.model import Model
 from vmharness.explicit.probe import Probe, ProbeError, of_resultant
 
 KEYS = ("motion",)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.model import Model
 from vmharness.explicit.probe import Probe, ProbeError, choose, of_point, split
 from vmharness.explicit.rigid.bodies import Bodies
 

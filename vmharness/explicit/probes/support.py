@@ -5,7 +5,7 @@ from typing import Literal
 import numpy as np
 
 from vmharness.explicit.constraints.spc import Supports
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.model import Model
 from vmharness.explicit.probe import Probe, ProbeError, of_resultant
 
 KEYS = ("support",)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.model import Model
 from vmharness.explicit.probe import Probe, ProbeError, choose, split
 from vmharness.explicit.walls.planar.wall import PlanarWall
 

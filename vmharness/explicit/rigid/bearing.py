@@ -17,11 +17,11 @@ may be lighter than what it touches.
 import numpy as np
 from numpy.typing import NDArray
 
+from vmharness.explicit.contact.contact import Contact
 from vmharness.explicit.elements.discrete.part import Discrete
-from vmharness.explicit.model import Model
-from vmharness.explicit.penalty.contact import Contact
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.state import Array
 from vmharness.explicit.rigid.bodies import Bodies
-from vmharness.explicit.state import Array
 
 
 def bear(model: Model, bodies: Bodies) -> None:

@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.explicit.error import SolverError
+from vmharness.explicit.kernels.rotation import triad
+from vmharness.explicit.model.state import Array, State
 from vmharness.explicit.rigid.joint import Joints
 from vmharness.explicit.rigid.step import carry, gather, respond, rotate, spread
-from vmharness.explicit.state import Array, State
-from vmharness.explicit.turn import triad
 
 Index = NDArray[np.intp]
 Flags = NDArray[np.bool_]

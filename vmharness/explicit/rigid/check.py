@@ -6,7 +6,7 @@ from vmharness.deck import Deck
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.damping.mass import MassDamping
 from vmharness.explicit.loads.body import BodyLoad, Centrifugal
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.model import Model
 from vmharness.explicit.rigid.bodies import Bodies
 from vmharness.explicit.rigid.joints import definitions
 from vmharness.explicit.rigid.members import Member

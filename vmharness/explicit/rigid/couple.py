@@ -11,13 +11,13 @@ The mobility of a body is what its held directions and given rotations leave.
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.compiled import kernel
+from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.kernels.rotation import triad
+from vmharness.explicit.kernels.vector import add, combine, cross, dot, scale, subtract
+from vmharness.explicit.model.state import Array
 from vmharness.explicit.rigid.mobility import fill, give
 from vmharness.explicit.rigid.rotation import frame
 from vmharness.explicit.rigid.step import put, row
-from vmharness.explicit.state import Array
-from vmharness.explicit.turn import triad
-from vmharness.explicit.vector import add, combine, cross, dot, scale, subtract
 
 Index = NDArray[np.intp]
 Flags = NDArray[np.bool_]

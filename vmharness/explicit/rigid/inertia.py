@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vmharness.deck import Entry
-from vmharness.explicit.state import Array
+from vmharness.explicit.model.state import Array
 
 FLAT = 1e-12  # a principal moment below this share of the largest is that of a line of points: zero
 DIGITS = 1e-4  # of the largest: a field of ten columns may hold no more than five digits of a number

@@ -19,8 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.explicit.error import SolverError
+from vmharness.explicit.model.state import Array, State
 from vmharness.explicit.rigid.couple import couple, gaps, push, relative
-from vmharness.explicit.state import Array, State
 
 if TYPE_CHECKING:
     from vmharness.explicit.rigid.bodies import Bodies

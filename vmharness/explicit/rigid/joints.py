@@ -8,9 +8,9 @@ from vmharness.deck.keywords.constrained_joint import (
     CONSTRAINED_JOINT_REVOLUTE,
     CONSTRAINED_JOINT_SPHERICAL,
 )
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.state import Array
 from vmharness.explicit.rigid.joint import Joints, Pair
-from vmharness.explicit.state import Array
 
 Index = NDArray[np.intp]
 

@@ -13,12 +13,12 @@ from vmharness.deck.keywords.constrained_extra_nodes import (
 from vmharness.deck.keywords.constrained_nodal_rigid_body import CONSTRAINED_NODAL_RIGID_BODY_INERTIA
 from vmharness.deck.keywords.constrained_rigid_bodies import CONSTRAINED_RIGID_BODIES
 from vmharness.deck.keywords.part import PART, has_inertia
-from vmharness.explicit.dof import coded
 from vmharness.explicit.materials.rigid import KEYWORD as MAT_RIGID
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.dof import coded
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.sets import node_set, nodes_of_parts
 from vmharness.explicit.rigid.inertia import Inertia, of_card, of_points, off_axis
 from vmharness.explicit.rigid.numbers import body_number, definitions, lead_number, leads, numbers
-from vmharness.explicit.sets import node_set, nodes_of_parts
 
 Index = NDArray[np.intp]
 

@@ -9,10 +9,10 @@ axis is whatever it takes, and the rest follows by
 once for each such component. What is left of J has no row or column i: momentum about a given axis does not count.
 """
 
-from vmharness.explicit.compiled import kernel
-from vmharness.explicit.state import Array
-from vmharness.explicit.turn import Triad
-from vmharness.explicit.vector import Vector, combine, components, inlined
+from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.kernels.rotation import Triad
+from vmharness.explicit.kernels.vector import Vector, combine, components, inlined
+from vmharness.explicit.model.state import Array
 
 
 @inlined

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from vmharness.explicit.model.state import Array
 from vmharness.explicit.rigid.inertia import of_points
-from vmharness.explicit.state import Array
 
 
 def rigid_motion(

@@ -2,9 +2,9 @@
 
 import math
 
-from vmharness.explicit.state import Array
-from vmharness.explicit.turn import Triad, triad, turned
-from vmharness.explicit.vector import Vector, dot, inlined, scale
+from vmharness.explicit.kernels.rotation import Triad, triad, turned
+from vmharness.explicit.kernels.vector import Vector, dot, inlined, scale
+from vmharness.explicit.model.state import Array
 
 SMALL = 5e-3  # below it the series of tan is exact to round-off
 

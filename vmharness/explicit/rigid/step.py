@@ -11,12 +11,12 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.compiled import kernel
+from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.kernels.rotation import Triad, triad
+from vmharness.explicit.kernels.vector import Vector, add, combine, cross, dot, inlined, scale, subtract
+from vmharness.explicit.model.state import Array
 from vmharness.explicit.rigid.mobility import fill, give, product
 from vmharness.explicit.rigid.rotation import frame, turn
-from vmharness.explicit.state import Array
-from vmharness.explicit.turn import Triad, triad
-from vmharness.explicit.vector import Vector, add, combine, cross, dot, inlined, scale, subtract
 
 Index = NDArray[np.intp]
 Flags = NDArray[np.bool_]

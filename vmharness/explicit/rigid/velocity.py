@@ -4,12 +4,12 @@ import numpy as np
 
 from vmharness.deck import Deck
 from vmharness.deck.keywords.initial_velocity_rigid_body import INITIAL_VELOCITY_RIGID_BODY
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.state import Array
 from vmharness.explicit.rigid.inertia import Inertia
 from vmharness.explicit.rigid.members import Member
 from vmharness.explicit.rigid.motion import rigid_motion
 from vmharness.explicit.rigid.numbers import lead_number
-from vmharness.explicit.state import Array
 
 
 def velocities(

@@ -9,8 +9,8 @@ import math
 
 from vmharness.deck import Deck
 from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
-from vmharness.explicit.curve import time_curve
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.curve import time_curve
+from vmharness.explicit.model.model import Model
 
 
 def build(deck: Deck, model: Model) -> None:

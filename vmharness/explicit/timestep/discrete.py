@@ -10,8 +10,8 @@ import numpy as np
 from vmharness.deck import Deck
 from vmharness.explicit.elements.discrete.part import Discrete
 from vmharness.explicit.force import Scalable
-from vmharness.explicit.model import Model
-from vmharness.explicit.state import Array
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.state import Array
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -26,8 +26,8 @@ from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.force import Elements, Scalable
-from vmharness.explicit.model import Model
-from vmharness.explicit.state import Array, State
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.state import Array, State
 
 
 def build(deck: Deck, model: Model) -> None:

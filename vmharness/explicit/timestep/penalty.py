@@ -6,10 +6,10 @@ import numpy as np
 
 from vmharness.deck import Deck
 from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
+from vmharness.explicit.contact.contact import Contact
+from vmharness.explicit.contact.stable_step import longest_step
 from vmharness.explicit.force import Elements, Scalable
-from vmharness.explicit.model import Model
-from vmharness.explicit.penalty.contact import Contact
-from vmharness.explicit.penalty.longest_step import longest_step
+from vmharness.explicit.model.model import Model
 
 
 def build(deck: Deck, model: Model) -> None:

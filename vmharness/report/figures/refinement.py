@@ -4,12 +4,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vmharness.evidence.convergence import Convergence, Refined
 from vmharness.report.figures import svg
 from vmharness.report.figures.characters import ten_to, unit
 from vmharness.report.figures.histories import COLOURS, INK, MARKERS, QUIET
 from vmharness.report.figures.key import Entry, columns, key_below
 from vmharness.report.figures.note import note
+from vmharness.studies.converge.convergence import Convergence, Refined
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

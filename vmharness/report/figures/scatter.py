@@ -3,13 +3,13 @@
 import math
 from typing import TYPE_CHECKING
 
-from vmharness.evidence.sample import is_logarithmic, rounded
-from vmharness.evidence.swept import Swept, worst_share
 from vmharness.report import number
 from vmharness.report.figures import svg
 from vmharness.report.figures.characters import ten_to, unit
 from vmharness.report.figures.histories import COLOURS, INK, QUIET
 from vmharness.report.figures.note import note
+from vmharness.studies.sweep.sample import is_logarithmic, rounded
+from vmharness.studies.sweep.swept import Swept, worst_share
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

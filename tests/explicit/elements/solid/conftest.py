@@ -5,13 +5,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from vmharness.explicit.elements import hexa_full, hexa_one_point
-from vmharness.explicit.elements.hexa_one_point import Hourglass
-from vmharness.explicit.hexahedron.build import wave_modulus
-from vmharness.explicit.hexahedron.gradient import measures
-from vmharness.explicit.hexahedron.part import Hexahedra
+from vmharness.explicit.elements.solid import full as hexa_full
+from vmharness.explicit.elements.solid import one_point as hexa_one_point
+from vmharness.explicit.elements.solid._build import wave_modulus
+from vmharness.explicit.elements.solid._gradient import measures
+from vmharness.explicit.elements.solid._solids import Hexahedra
+from vmharness.explicit.elements.solid.one_point import Hourglass
 from vmharness.explicit.materials.elastic import solid
-from vmharness.explicit.state import Array, State
+from vmharness.explicit.model.state import Array, State
 
 E, NU, RHO = 2.1e11, 0.3, 7850.0
 

@@ -5,9 +5,9 @@ import pytest
 
 from vmharness.backends.builtin import FOLDERS
 from vmharness.deck import DeckError, read, vocabulary, write_long
-from vmharness.explicit.hexahedron.part import Hexahedra
+from vmharness.explicit.build import build
+from vmharness.explicit.elements.solid._solids import Hexahedra
 from vmharness.explicit.loop import steps
-from vmharness.explicit.model import build
 from vmharness.explicit.probe import ProbeError
 from vmharness.explicit.probes import probe
 

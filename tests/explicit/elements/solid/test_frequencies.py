@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from vmharness.explicit.elements.hexa_one_point import Hourglass
+from vmharness.explicit.elements.solid.one_point import Hourglass
 
 
 def first_frequency(bench, x, nodes, free, elform, control, nu):

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scipy.optimize import approx_fprime
 
-from vmharness.explicit.hexahedron.gradient import at, largest_face, mean, measures
-from vmharness.explicit.hexahedron.pattern import nodal, patterns
+from vmharness.explicit.elements.solid._gradient import at, largest_face, mean, measures
+from vmharness.explicit.elements.solid._pattern import nodal, patterns
 
 CUBE = np.array([
     [-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1],

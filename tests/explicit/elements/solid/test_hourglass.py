@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from vmharness.explicit.elements.hexa_one_point import Hourglass, moduli
-from vmharness.explicit.hexahedron.gradient import measures
+from vmharness.explicit.elements.solid._gradient import measures
+from vmharness.explicit.elements.solid.one_point import Hourglass, moduli
 
 A, DT, RATE = 0.2, 0.5, 1e-12  # so slow that the geometry stays
 CUBE = np.array(

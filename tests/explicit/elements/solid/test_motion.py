@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from vmharness.explicit.elements.hexa_one_point import Hourglass
+from vmharness.explicit.elements.solid.one_point import Hourglass
 
 CUBE = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]])
 NODES = np.arange(8)[None]

@@ -8,8 +8,8 @@ from vmharness.deck import Card, Deck, Keyword
 from vmharness.deck.field import integer, real
 from vmharness.deck.keywords.part import PART
 from vmharness.explicit.force import Dampable, Elements
-from vmharness.explicit.model import Model
-from vmharness.explicit.state import Array
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.state import Array
 
 DAMPING_PART_STIFFNESS = Keyword(
     "DAMPING_PART_STIFFNESS",

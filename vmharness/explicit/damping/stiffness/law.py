@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vmharness.explicit.compiled import specialise
-from vmharness.explicit.state import Array
-from vmharness.explicit.vector import inlined
+from vmharness.explicit.kernels.compiled import specialise
+from vmharness.explicit.kernels.vector import inlined
+from vmharness.explicit.model.state import Array
 
 if TYPE_CHECKING:  # not this, but what `damped` binds
     from vmharness.explicit.materials.elastic import plane_stress as law

@@ -29,4 +29,6 @@ Source: LS-DYNA keyword manual, the cards; the equations follow from the definit
 
 from vmharness.explicit.elements.discrete.build import build
 
-__all__ = ["build"]
+NAME = "spring or damper"
+
+__all__ = ["NAME", "build"]

@@ -10,10 +10,10 @@ from vmharness.deck.keywords.define_sd_orientation import DEFINE_SD_ORIENTATION
 from vmharness.deck.keywords.element_discrete import ELEMENT_DISCRETE
 from vmharness.deck.keywords.section_discrete import SECTION_DISCRETE
 from vmharness.explicit.elements.discrete.part import ABOUT, ALONG, Discrete, Orientation
-from vmharness.explicit.material import law_of
-from vmharness.explicit.model import Model
-from vmharness.explicit.parts import Part, parts
-from vmharness.explicit.state import Array
+from vmharness.explicit.materials._law import law_of
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.parts import Part, parts
+from vmharness.explicit.model.state import Array
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -23,7 +23,7 @@ either alone has 2 k/m.
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.state import Array
+from vmharness.explicit.model.state import Array
 
 HALVINGS = 60  # of the interval in which the step lies: to round-off
 

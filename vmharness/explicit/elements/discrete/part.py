@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.compiled import specialise
 from vmharness.explicit.elements.discrete import step
 from vmharness.explicit.elements.discrete.limit import stable_step
-from vmharness.explicit.state import Array, State
+from vmharness.explicit.kernels.compiled import specialise
+from vmharness.explicit.model.state import Array, State
 
 ALONG, ABOUT = 0, 1  # DRO
 

@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from vmharness.explicit.kernels.vector import Vector, add, dot, inlined, scale, subtract
 from vmharness.explicit.materials.spring_elastic import spring as law
-from vmharness.explicit.state import Array
-from vmharness.explicit.vector import Vector, add, dot, inlined, scale, subtract
+from vmharness.explicit.model.state import Array
 
 Index = NDArray[np.intp]
 

@@ -5,9 +5,9 @@ The lengths are infinite for a wall without end.
 
 import numpy as np
 
-from vmharness.explicit.compiled import kernel
-from vmharness.explicit.state import Array
-from vmharness.explicit.vector import Vector
+from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.kernels.vector import Vector
+from vmharness.explicit.model.state import Array
 
 NORMAL, EDGE_L, EDGE_M, LENGTHS = 1, 2, 3, 4
 

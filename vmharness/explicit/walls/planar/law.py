@@ -10,9 +10,9 @@ wall has driven it behind.
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.compiled import kernel
-from vmharness.explicit.state import Array
-from vmharness.explicit.vector import Vector, add, dot, inlined, scale, subtract
+from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.kernels.vector import Vector, add, dot, inlined, scale, subtract
+from vmharness.explicit.model.state import Array
 from vmharness.explicit.walls.planar.face import NORMAL, along, covers
 
 Index = NDArray[np.intp]

@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.control_contact import CONTROL_CONTACT
-from vmharness.explicit.model import Model
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.sets import node_set
+from vmharness.explicit.model.state import Array
 from vmharness.explicit.rigid.members import members
-from vmharness.explicit.sets import node_set
-from vmharness.explicit.state import Array
 from vmharness.explicit.walls.planar.face import NORMAL
 
 Index = NDArray[np.intp]

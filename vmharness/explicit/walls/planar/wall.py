@@ -5,7 +5,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.state import Array, State
+from vmharness.explicit.model.state import Array, State
 from vmharness.explicit.walls.planar.face import NORMAL
 from vmharness.explicit.walls.planar.law import press, strike
 

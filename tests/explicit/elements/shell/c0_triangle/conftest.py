@@ -1,0 +1,75 @@
+"""Meshes of triangles, and what a block of them does under given velocities."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from vmharness.explicit.elements.shell.c0_triangle import C0Triangle, nodal_mass
+from vmharness.explicit.materials.elastic import plane_stress
+from vmharness.explicit.model.state import Array, State
+
+E, NU, RHO = 2.1e11, 0.3, 7850.0
+
+
+def sheet(nx: int, ny: int, a: float, b: float) -> tuple[Array, Array]:
+    """Nodes and elements of an a x b sheet of rectangles, each cut along the diagonal from its lower left."""
+    x = np.array([(i * a / nx, j * b / ny, 0.0) for i in range(nx + 1) for j in range(ny + 1)])
+    n = np.arange((nx + 1) * (ny + 1)).reshape(nx + 1, ny + 1)
+    lower = np.stack([n[:-1, :-1], n[1:, :-1], n[1:, 1:]], axis=-1)
+    upper = np.stack([n[1:, 1:], n[:-1, 1:], n[:-1, :-1]], axis=-1)
+    return x, np.concatenate([lower.reshape(-1, 3), upper.reshape(-1, 3)])
+
+
+def shells(
+    x: Array, nodes: Array, t: float, e: float = E, nu: float = NU, rho: float = RHO, **options
+) -> C0Triangle:
+    """Elastic triangles of one thickness."""
+    return C0Triangle("", nodes, x, np.full(len(nodes), t), rho, plane_stress, (e, nu), (e, nu), **options)
+
+
+def state(x: Array) -> State:
+    """At rest, with time steps of 1."""
+    n = len(x)
+    return State(x.copy(), np.zeros((n, 3)), np.zeros((n, 3)), np.ones(n), np.ones(n), dt=1.0)
+
+
+def internal_forces(block: C0Triangle, s: State) -> tuple[Array, Array]:
+    """Internal forces and moments: what the nodes feel, reversed."""
+    s.f[:], s.moment[:] = 0.0, 0.0
+    block.add(s)
+    return -s.f, -s.moment
+
+
+def lumped(x: Array, nodes: Array, t: float, rho: float = RHO, nu: float = NU, shrf: float = 1.0) -> Array:
+    """Mass and inertia (n, 6) of a sheet's nodes."""
+    total = np.zeros((len(x), 6))
+    mass, inertia = nodal_mass(x[nodes], np.full(len(nodes), t), rho, nu, shrf)
+    for corner in nodes.T:
+        np.add.at(total, corner, np.repeat([mass, inertia], 3, axis=0).T)
+    return total
+
+
+def frequencies(x: Array, nodes: Array, t: float, free: list[tuple[int, int]], **material) -> Array:
+    """All natural frequencies (rad per time) of the motions `free` (node, 0..5), from K by unit velocities."""
+    block, s, small = shells(x, nodes, t, **material), state(x), 1e-9  # the geometry stays
+    K, rows = np.zeros((len(free), len(free))), tuple(np.transpose(free))
+    for column, (node, k) in enumerate(free):
+        moved = s.v if k < 3 else s.omega
+        moved[node, k % 3] = small
+        K[:, column] = np.hstack(internal_forces(block, s))[rows] / small
+        moved[node, k % 3] = -small
+        internal_forces(block, s)
+        moved[node, k % 3] = 0.0
+    assert np.abs(K - K.T).max() < 1e-7 * np.abs(K).max()
+    mass = lumped(x, nodes, t, **{k: v for k, v in material.items() if k in ("rho", "nu", "shrf")})[rows]
+    return np.sqrt(np.maximum(np.linalg.eigvalsh((K + K.T) / 2 / np.sqrt(np.outer(mass, mass))), 0.0))
+
+
+@pytest.fixture(scope="session")
+def bench() -> SimpleNamespace:
+    """The functions above, for the tests of this folder."""
+    return SimpleNamespace(
+        E=E, NU=NU, RHO=RHO, sheet=sheet, shells=shells, state=state, internal_forces=internal_forces,
+        lumped=lumped, frequencies=frequencies,
+    )  # fmt: skip

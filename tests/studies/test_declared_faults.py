@@ -1,0 +1,66 @@
+"""Planted faults: in the unit of the datum, and how far theory says that they move what must fail."""
+
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+
+from vmharness.case import read
+from vmharness.studies.faults.declared import moves, planted, review
+
+BALL = Path(__file__).parents[2] / "cases" / "VM-061"
+
+
+@pytest.fixture
+def in_feet(tmp_path):
+    """The case with its height of 1 in given in feet."""
+    text = (BALL / "case.toml").read_text()
+    given = 'h  = { value = 1.0, unit = "in"'
+    assert given in text
+    (tmp_path / "case.toml").write_text(text.replace(given, f'h  = {{ value = {1 / 12!r}, unit = "ft"'))
+    for name in ("deck.k", "post.cfile"):
+        (tmp_path / name).write_bytes((BALL / name).read_bytes())
+    return read(tmp_path)
+
+
+def fault(case, number, **changes):
+    return msgspec.structs.replace(case.file.faults[number], **changes)
+
+
+def test_a_value_is_in_the_unit_of_its_datum(in_feet):
+    half_a_foot = fault(in_feet, 3, change={"h": "=0.5"}, must_fail=["z_impact"])
+    assert planted(in_feet, half_a_foot).deck_parameters()["H"] == pytest.approx(6.0, rel=1e-14)
+    assert moves(in_feet, half_a_foot)["z_impact"].percent == pytest.approx(500.0)
+
+
+def test_every_fault_of_the_manual_moves_what_must_fail_beyond_its_tolerance():
+    case = read(BALL)
+    assert review(case) == []
+    moved = moves(case, case.file.faults[1])  # gravity 0.1 % too strong: t = sqrt(2 h/g)
+    assert moved["t_impact"].percent == pytest.approx(100.0 * (1.001**-0.5 - 1.0), rel=1e-9)
+    assert moved["t_impact"].tolerances == pytest.approx((1.0 - 1.001**-0.5) / 5e-7, rel=1e-9)
+
+
+def test_a_target_of_zero_moves_by_no_percentage(tmp_path):
+    text = (BALL / "case.toml").read_text()
+    key = 'target    = "z_impact"\nunit      = "in"\ntolerance = { relative = 1e-6'
+    assert key in text
+    other = 'target    = "h - 1.0*h"\nunit      = "in"\ntolerance = { absolute = 1e-6'
+    (tmp_path / "case.toml").write_text(text.replace(key, other))
+    for name in ("deck.k", "post.cfile"):
+        (tmp_path / name).write_bytes((BALL / name).read_bytes())
+    case = read(tmp_path)
+    move = moves(case, fault(case, 3, must_fail=["z_impact"]))["z_impact"]
+    assert (move.percent, move.tolerances) == (None, 0.0)
+
+
+def test_a_reading_at_a_given_time_moves_with_the_theory_of_its_channel():
+    case = read(BALL.parent / "D-51-beam")
+    denser = next(fault for fault in case.file.faults if "rho" in fault.change)
+    moved = moves(case, denser)["w_1"]
+    case_denser = case.with_given({"rho": 1.02 * case.given["rho"]})
+    time = np.array([case.theory["t_1"]])
+    expected = case_denser.curve("w", time)[0] / case.theory["w_1"] - 1.0
+    assert moved.percent == pytest.approx(100.0 * expected, rel=1e-6)
+    assert moved.percent < -1.0  # a slower beam, at the same time

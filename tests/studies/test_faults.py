@@ -1,0 +1,149 @@
+"""Planted faults: what they change, that they are caught, and that a blind case is said to be blind."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+
+from vmharness.backends.builtin import read_deck
+from vmharness.case import read
+from vmharness.studies.faults import deck_faults, plant
+from vmharness.studies.faults.deck_faults import Planted
+from vmharness.studies.faults.detection import Noticed, coverage
+from vmharness.studies.faults.study import StudyError, detection, finding, planted
+from vmharness.studies.gather import gather
+from vmharness.studies.measured import Measured, Value
+from vmharness.studies.variant import Variant
+
+CASES = Path(__file__).parents[2] / "cases"
+SOUND = Measured({"x": Value(1.0, 1.0, 0.1, "pass")}, history_sha256="a", cycles=100)
+
+
+@pytest.fixture
+def ball():
+    """VM-061 in steps of 0.1 ms, by its parameter."""
+    return replace(read(CASES / "VM-061"), planted={"RHO": 2.5437})
+
+
+def run(variants):
+    done = {n: event for n, event in gather(variants, plant=plant.plant) if isinstance(event, Measured)}
+    return [done[n] for n in range(len(variants))]
+
+
+def studied(case, *names):
+    """The findings of the faults of these names."""
+    (sound,) = run([Variant(case)])
+    chosen = [fault for fault in planted(case, sound) if fault.name in names]
+    assert len(chosen) == len(names)
+    found = detection(case, sound, chosen, run([fault.variant for fault in chosen]))
+    return found, {one.fault: one for one in found.findings}
+
+
+def without(case, *keys):
+    """The case without these results."""
+    kept = [result for result in case.file.results if result.key not in keys]
+    return replace(case, file=msgspec.structs.replace(case.file, results=kept))
+
+
+def test_faults_of_deck_and_solver_are_caught_by_what_they_move(store, ball):
+    names = ("G +0.1 %", "SLSFAC -1 %", "M of the other sign", "contact_stiffness_by_area", "half_step_start")
+    found, by = studied(ball, *names)
+    assert by["G +0.1 %"].noticed is Noticed.CAUGHT
+    assert by["G +0.1 %"].share == pytest.approx(1e3, rel=0.02)  # 0.05 % of t_impact against 5e-7
+    assert by["SLSFAC -1 %"].by in ("t_peak", "z_peak")
+    assert "MASS = &M (-0.5): must be at least 0" in by["M of the other sign"].reason
+    assert by["contact_stiffness_by_area"].noticed is Noticed.CAUGHT
+    assert by["half_step_start"].share > 100.0
+    assert by["jaumann_terms_off"].noticed is Noticed.UNSEEN  # no solids: not even run
+    assert found.caught == found.applicable == len(names)
+
+
+def test_a_manual_that_measures_no_stiffness_leaves_the_stiffness_uncaught(store, ball):
+    blind = without(ball, "t_peak", "z_peak")
+    found, by = studied(blind, "SLSFAC +1 %", "contact_stiffness_by_area", "G +0.1 %")
+    assert by["SLSFAC +1 %"].noticed is Noticed.MISSED
+    assert by["contact_stiffness_by_area"].noticed is Noticed.MISSED
+    assert by["G +0.1 %"].noticed is Noticed.CAUGHT
+    missed = [one.fault for one in coverage([found]).missed]
+    assert missed == ["contact_stiffness_by_area"]
+
+
+def test_a_fault_without_effect_is_not_applicable(store, ball):
+    _, by = studied(ball, "shell_hourglass_off")  # its wall never moves
+    assert by["shell_hourglass_off"].noticed is Noticed.UNSEEN
+
+
+def test_a_case_that_fails_without_faults_is_not_studied(ball):
+    with pytest.raises(StudyError, match="VM-061: does not pass without any fault: it diverged"):
+        planted(ball, Measured(failure="it diverged"))
+
+
+def one(outcome):
+    return finding(Planted("f", "F", "physics", Variant(None)), SOUND, outcome)
+
+
+def test_what_an_outcome_says_of_a_fault():
+    wrong = Value(1.0, 2.0, 30.0, "fail", "differs")
+    gone = Value(1.0, None, None, "fail", "never happened")
+    assert one(replace(SOUND, cached=True, seconds=9.0)).noticed is Noticed.UNSEEN
+    moved = one(replace(SOUND, history_sha256="b"))
+    assert (moved.noticed, moved.by, moved.share) == (Noticed.MISSED, "x", 0.1)
+    caught = one(Measured({"x": wrong}, history_sha256="b"))
+    assert (caught.noticed, caught.by, caught.share) == (Noticed.CAUGHT, "x", 30.0)
+    never = one(Measured({"x": gone}, history_sha256="b"))
+    assert (never.noticed, never.share, never.reason) == (Noticed.CAUGHT, None, "never happened")
+    assert one(Measured(failure="refused")).reason == "refused"
+    with pytest.raises(StudyError, match="f: defect: PlantError"):
+        one(Measured(failure="defect: PlantError: the text is gone"))
+
+
+def test_parameters_are_wrong_one_at_a_time(ball):
+    found = {fault.name: fault.variant.case for fault in deck_faults.parameter_faults(ball, 500)}
+    assert found["G +5 %"].deck_parameters() == {"RHO": 2.5437, "G": pytest.approx(1.05 * 386.0)}
+    assert not any(name.startswith("TEND") for name in found)
+    slipped = read_deck(found["H 1000 times as large"])
+    assert slipped.one("CONTROL_TERMINATION").endcyc == 500
+    assert slipped.one("NODE").z.max() == pytest.approx(1000.0)
+
+
+def test_a_number_of_the_model_that_nothing_depends_on_is_harmless(ball):
+    chosen = [
+        fault for fault in deck_faults.parameter_faults(ball, 500) if fault.name.startswith(("RHO", "SLSFAC"))
+    ]
+    refused = Measured(failure="must be positive")
+    moved = [refused if "sign" in fault.name else replace(SOUND, history_sha256="b") for fault in chosen]
+    by = {one.fault: one for one in detection(ball, SOUND, chosen, moved).findings}
+    assert by["RHO 1000 times as large"].noticed is Noticed.HARMLESS
+    assert by["RHO +1 %"].noticed is Noticed.HARMLESS
+    assert by["SLSFAC +1 %"].noticed is Noticed.MISSED  # it follows from k, which is of the problem
+
+
+def test_a_length_of_the_mesh_is_a_number_of_the_deck(ball):
+    bar = read(CASES / "D-37")
+    found = {fault.name: fault.variant.case for fault in deck_faults.parameter_faults(bar, 500)}
+    assert not any(name.startswith("n ") for name in found)  # the number of elements numbers the nodes
+    (name,) = [name for name in found if name.startswith("L") and name.endswith(" -1 %")]
+    x = [read_deck(case).one("NODE").x for case in (bar, found[name])]
+    assert np.ptp(x[1]) == pytest.approx(0.99 * np.ptp(x[0]))
+
+
+def test_a_number_of_which_no_deck_can_be_made_is_no_fault_to_plant():
+    names = {fault.name for fault in deck_faults.parameter_faults(read(CASES / "D-51-solid"), 10**6)}
+    lengths = {name.removesuffix(" -5 %") for name in names if name.endswith(" -5 %")}
+    longer = {name.removesuffix(" 1000 times as large") for name in names if "1000 times" in name}
+    assert longer < lengths
+
+
+def test_supports_go_from_the_cards_or_from_the_nodes(ball):
+    last, none = deck_faults.support_faults(ball)
+    assert not read_deck(last.variant.case).all("BOUNDARY_SPC_SET")
+    ring = read(CASES / "D-49")
+    codes = [
+        read_deck(case).one("NODE")
+        for case in (ring, *(f.variant.case for f in deck_faults.support_faults(ring)))
+    ]
+    held = [int(np.count_nonzero(node.tc | node.rc)) for node in codes]
+    assert held == [held[0], held[0] - 1, 0]
+    assert none.name == "all supports are missing"

@@ -1,1 +1,0 @@
-"""What shows that a pass means something, and where a difference comes from."""

@@ -1,0 +1,136 @@
+"""Worker processes that are spawned, reused, and replaced when they crash or hang."""
+
+import contextlib
+import math
+import multiprocessing
+import signal
+import time
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from multiprocessing.connection import Connection, wait
+from multiprocessing.context import SpawnProcess
+from types import TracebackType
+from typing import Any
+
+from vmharness.execution.message import Began, Lost, Message, Progress, Raised
+from vmharness.execution.worker import Work, serve
+
+IDLE = -1
+SPAWN = multiprocessing.get_context("spawn")  # a fork would inherit the threads and locks of numpy and numba
+
+
+@dataclass
+class Worker:
+    """A process, our end of its pipe, and the number of the task that it is at."""
+
+    process: SpawnProcess
+    connection: Connection
+    task: int = IDLE
+    deadline: float = math.inf
+
+
+class Pool:
+    """`count` workers that each do `prepare(*arguments)` once, and what that returns for every task.
+
+    A context manager: on leaving it, whatever is still running is killed.
+    """
+
+    def __init__(self, count: int, prepare: Callable[..., Work], *arguments: Any) -> None:
+        self._how = (prepare, arguments)
+        self._workers = [self._start() for _ in range(count)]
+
+    def __enter__(self) -> "Pool":
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        for worker in self._workers:
+            _kill(worker)
+
+    def each(self, tasks: Sequence[Any], timeout: float = math.inf) -> Iterator[tuple[int, Message]]:
+        """Yield (number of the task, message) until every task is Done, Raised or Lost, which each is just once.
+
+        A task that is not done `timeout` seconds after it was given to a worker is lost, and the worker with it.
+        """
+        waiting = deque(enumerate(tasks))
+        while True:
+            for i, worker in enumerate(self._workers):
+                if worker.task == IDLE and waiting:
+                    number, task = waiting.popleft()
+                    self._workers[i] = self._give(worker, number, task, timeout)
+                    yield number, Began()
+            busy = [worker for worker in self._workers if worker.task != IDLE]
+            if not busy:
+                return
+            yield from _listen(busy, timeout)
+
+    def _give(self, worker: Worker, number: int, task: Any, timeout: float) -> Worker:
+        """Send a task to the worker, or to a new one in its place if it is dead; returns the one that has it."""
+        if not worker.process.is_alive():
+            _kill(worker)
+            worker = self._start()
+        worker.task, worker.deadline = number, time.monotonic() + timeout
+        with contextlib.suppress(ConnectionError):  # it has just died: the end of its pipe will be heard
+            worker.connection.send(task)
+        return worker
+
+    def _start(self) -> Worker:
+        ours, theirs = SPAWN.Pipe()
+        process = SPAWN.Process(target=serve, args=(theirs, *self._how), daemon=True)
+        # An ignored signal stays so in the child, which would else be open to Ctrl-C until its own code runs.
+        before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+        try:
+            process.start()
+        finally:
+            signal.signal(signal.SIGINT, before)
+        theirs.close()
+        return Worker(process, ours)
+
+
+def _listen(busy: Sequence[Worker], timeout: float) -> Iterator[tuple[int, Message]]:
+    """What the workers say next; those whose time is up are killed."""
+    now = time.monotonic()
+    first = min(worker.deadline for worker in busy)
+    ready = wait([worker.connection for worker in busy], None if math.isinf(first) else max(first - now, 0.0))
+    for worker in busy:
+        if worker.connection in ready:
+            message = _receive(worker)
+        elif time.monotonic() >= worker.deadline:
+            _kill(worker)
+            message = Lost(f"not done after {timeout:g} s, the time limit")
+        else:
+            continue
+        number = worker.task
+        if not isinstance(message, Progress):
+            worker.task = IDLE
+        yield number, message
+
+
+def _receive(worker: Worker) -> Message:
+    try:
+        message: Message = worker.connection.recv()
+        return message
+    except (EOFError, OSError):
+        _kill(worker)
+        return Lost(f"the worker process ended: {_ending(worker.process.exitcode)}")
+    except Exception as error:  # what came cannot be unpickled
+        return Raised(f"{type(error).__name__}: {error}", "")
+
+
+def _kill(worker: Worker) -> None:
+    worker.connection.close()
+    worker.process.kill()
+    worker.process.join()
+
+
+def _ending(code: int | None) -> str:
+    """How a process ended, in words.
+
+    >>> _ending(-11), _ending(3)
+    ('killed by SIGSEGV', 'exit code 3')
+    """
+    if code is not None and code < 0:
+        return f"killed by {signal.Signals(-code).name}"
+    return f"exit code {code}"

@@ -1,0 +1,19 @@
+"""*CONTACT_AUTOMATIC_NODES_TO_SURFACE: nodes held off shells from either side, at the distance of thickness (type a5).
+
+The gap counts from half the thickness of the segment's shell and half that of the node's; edges are rounded. A node
+with a mass alone has no thickness. Solids are touched from outside, at their faces.
+"""
+
+from vmharness.deck import Deck
+from vmharness.explicit.contact.build import add_contacts
+from vmharness.explicit.contact.cards import NODES, SEGMENTS, contact_keyword
+from vmharness.explicit.model.model import Model
+
+NAME = "automatic nodes to surface"
+
+CONTACT_AUTOMATIC_NODES_TO_SURFACE = contact_keyword("CONTACT_AUTOMATIC_NODES_TO_SURFACE", NODES, SEGMENTS)
+
+
+def build(deck: Deck, model: Model) -> None:
+    """Add a force for each such contact of the deck."""
+    add_contacts(deck, model, CONTACT_AUTOMATIC_NODES_TO_SURFACE)

@@ -1,0 +1,24 @@
+"""*CONTACT_AUTOMATIC_SINGLE_SURFACE: a surface held off itself, all of its parts off each other (type 13).
+
+Only SURFA is given, with SFSA, SAST and SFSAT; 0 stands for all parts. A node does not touch the segments that it is a
+corner of. The gap is that of automatic_nodes_to_surface.py, with thickness at most 0.4 times the shortest side of a
+shell (SSTHK = 0).
+"""
+
+from vmharness.deck import Deck
+from vmharness.explicit.contact.build import add_contacts
+from vmharness.explicit.contact.cards import SEGMENTS, contact_keyword
+from vmharness.explicit.model.model import Model
+
+NAME = "automatic single surface"
+
+CONTACT_AUTOMATIC_SINGLE_SURFACE = contact_keyword("CONTACT_AUTOMATIC_SINGLE_SURFACE", SEGMENTS, (0,))
+
+
+def build(deck: Deck, model: Model) -> None:
+    """Add a force for each such contact of the deck; raises DeckError for anything on side B."""
+    for entry in deck.all(CONTACT_AUTOMATIC_SINGLE_SURFACE):
+        for field, default in (("surfb", 0), ("sfsb", 1.0), ("sbst", 0.0), ("sfsbt", 1.0)):
+            if getattr(entry, field) != default:
+                raise entry.error(field, "a single surface has no second side")
+    add_contacts(deck, model, CONTACT_AUTOMATIC_SINGLE_SURFACE, single=True)

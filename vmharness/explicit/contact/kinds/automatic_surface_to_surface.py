@@ -1,0 +1,20 @@
+"""*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE: two surfaces with thickness, each held off the other (type a3).
+
+Two-way; see penalty/contact.py for how the two passes share the force, and automatic_nodes_to_surface.py for the gap.
+"""
+
+from vmharness.deck import Deck
+from vmharness.explicit.contact.build import add_contacts
+from vmharness.explicit.contact.cards import SEGMENTS, contact_keyword
+from vmharness.explicit.model.model import Model
+
+NAME = "automatic surface to surface"
+
+CONTACT_AUTOMATIC_SURFACE_TO_SURFACE = contact_keyword(
+    "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", SEGMENTS, SEGMENTS
+)
+
+
+def build(deck: Deck, model: Model) -> None:
+    """Add a force for each such contact of the deck."""
+    add_contacts(deck, model, CONTACT_AUTOMATIC_SURFACE_TO_SURFACE, two_way=True)

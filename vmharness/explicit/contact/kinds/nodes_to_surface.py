@@ -1,0 +1,24 @@
+"""*CONTACT_NODES_TO_SURFACE: nodes kept on the outer side of segments by a penalty (type 5, one-way).
+
+One-sided, and without the thickness of shells unless SHLTHK asks for it. Segments resist with
+
+    k = SLSFAC SFSB K A / d (shells)      k = SLSFAC SFSB K A^2 / V (solids)
+
+or with the stiffness of the tracked node's own elements, with SFSA, if that is less (PENOPT = 1); a node with a mass
+alone sets none. (LS-DYNA theory manual, penalty method; VM-LSDYNA-SOLVE-061.) PENCHK = 0 lets go of no node, however
+deep.
+"""
+
+from vmharness.deck import Deck
+from vmharness.explicit.contact.build import add_contacts
+from vmharness.explicit.contact.cards import NODES, SEGMENTS, contact_keyword
+from vmharness.explicit.model.model import Model
+
+NAME = "nodes to surface"
+
+CONTACT_NODES_TO_SURFACE = contact_keyword("CONTACT_NODES_TO_SURFACE", NODES, SEGMENTS)
+
+
+def build(deck: Deck, model: Model) -> None:
+    """Add a force for each such contact of the deck."""
+    add_contacts(deck, model, CONTACT_NODES_TO_SURFACE)

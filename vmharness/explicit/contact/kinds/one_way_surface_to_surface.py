@@ -1,0 +1,18 @@
+"""*CONTACT_ONE_WAY_SURFACE_TO_SURFACE: the nodes of surface A held against the segments of surface B (type 10).
+
+As *CONTACT_NODES_TO_SURFACE, with A given by its segments.
+"""
+
+from vmharness.deck import Deck
+from vmharness.explicit.contact.build import add_contacts
+from vmharness.explicit.contact.cards import SEGMENTS, contact_keyword
+from vmharness.explicit.model.model import Model
+
+NAME = "one way surface to surface"
+
+CONTACT_ONE_WAY_SURFACE_TO_SURFACE = contact_keyword("CONTACT_ONE_WAY_SURFACE_TO_SURFACE", SEGMENTS, SEGMENTS)
+
+
+def build(deck: Deck, model: Model) -> None:
+    """Add a force for each such contact of the deck."""
+    add_contacts(deck, model, CONTACT_ONE_WAY_SURFACE_TO_SURFACE)

@@ -1,0 +1,18 @@
+"""*CONTACT_SURFACE_TO_SURFACE: two surfaces, the nodes of each held against the segments of the other (type 3).
+
+Two-way: see penalty/contact.py for how the two passes share the force. One-sided, without thickness unless SHLTHK.
+"""
+
+from vmharness.deck import Deck
+from vmharness.explicit.contact.build import add_contacts
+from vmharness.explicit.contact.cards import SEGMENTS, contact_keyword
+from vmharness.explicit.model.model import Model
+
+NAME = "surface to surface"
+
+CONTACT_SURFACE_TO_SURFACE = contact_keyword("CONTACT_SURFACE_TO_SURFACE", SEGMENTS, SEGMENTS)
+
+
+def build(deck: Deck, model: Model) -> None:
+    """Add a force for each such contact of the deck."""
+    add_contacts(deck, model, CONTACT_SURFACE_TO_SURFACE, two_way=True)

@@ -1,0 +1,101 @@
+"""Which facets and nodes a contact surface has: SURFATYP and SURFBTYP.
+
+    0 segment set   1 shell set   2 part set   3 part   4 node set   5 all   6 all but a part set
+
+A face that two solids of one surface share is not on its outside, and no part of it. A segment of a set takes stiffness
+and thickness from the shell, or else the solid, that has the same corners. Beams have no facets: 5 and 6 refuse a deck
+in which they would be part of the surface.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.element_beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
+from vmharness.deck.keywords.part import PART
+from vmharness.deck.keywords.set_part import SET_PART_LIST
+from vmharness.deck.keywords.set_segment import SET_SEGMENT
+from vmharness.deck.keywords.set_shell import SET_SHELL_LIST
+from vmharness.explicit.contact.surface.faces import corner_sets
+from vmharness.explicit.contact.surface.facets import Facets, exterior
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.parts import Index
+from vmharness.explicit.model.sets import node_set
+
+SEGMENT_SET, SHELL_SET, PART_SET, ONE_PART, NODE_SET, ALL, EXEMPT = range(7)
+
+
+def facets_of_surface(deck: Deck, model: Model, every: Facets, entry: Entry, field: str, kind: int) -> Facets:
+    """The facets of the surface that `field` of `entry` names, among `every` of the deck.
+
+    Raises DeckError for what is not defined, and for a surface without facets.
+    """
+    if kind == SEGMENT_SET:
+        return _segment_set(deck, model, every, entry, field)
+    chosen = every.only(_chosen(deck, every, entry, field, kind))
+    if not chosen.pid.size:
+        raise entry.error(field, "the surface has neither shells nor solids")
+    return chosen.only(exterior(chosen))
+
+
+def nodes_of_surface(deck: Deck, model: Model, every: Facets, entry: Entry, field: str, kind: int) -> Index:
+    """Rows (m,) of the nodes of a surface, each once, in increasing order: of a node set, or of its facets."""
+    if kind == NODE_SET:
+        return node_set(deck, model, entry, field)
+    return np.unique(facets_of_surface(deck, model, every, entry, field, kind).nodes)
+
+
+def _chosen(deck: Deck, every: Facets, entry: Entry, field: str, kind: int) -> NDArray[np.bool_]:
+    """Which facets belong to the parts or shells that are named, those between solids included."""
+    number = getattr(entry, field)
+    if kind == ALL:
+        _check_beams(deck, entry, field, [])
+        return np.ones(every.pid.size, bool)
+    if kind == SHELL_SET:
+        named = deck.find(SET_SHELL_LIST, sid=number, referred_by=(entry, field))
+        for row in np.flatnonzero(~np.isin(named.shells, every.eid[every.shell])):
+            raise named.error("shells", f"no *ELEMENT_SHELL {named.shells[row]}", int(row))
+        return every.shell & np.isin(every.eid, named.shells)
+    if kind == ONE_PART:
+        deck.find(PART, pid=number, referred_by=(entry, field))
+        return every.pid == number
+    parts = _defined(deck, entry, field)
+    if kind == EXEMPT:
+        _check_beams(deck, entry, field, parts)
+    if kind == PART_SET and (bare := sorted(set(parts) - set(every.pid.tolist()))):
+        raise entry.error(field, f"part {bare[0]} of the set has neither shells nor solids")
+    return np.isin(every.pid, parts, invert=kind == EXEMPT)
+
+
+def _defined(deck: Deck, entry: Entry, field: str) -> list[int]:
+    """The parts of a part set, each of which there must be."""
+    found = deck.find(SET_PART_LIST, sid=getattr(entry, field), referred_by=(entry, field))
+    for row, number in enumerate(found.parts.tolist()):
+        deck.find(PART, pid=number, referred_by=(found, "parts", row))
+    return sorted(found.parts.tolist())
+
+
+def _check_beams(deck: Deck, entry: Entry, field: str, exempt: list[int]) -> None:
+    """All that the deck has, but for parts that are exempt, is shells and solids, or nothing that touches."""
+    for table in deck.all(ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION):
+        for pid in table.pid[~np.isin(table.pid, exempt)][:1]:
+            what = f"part {pid} is beams, whose contact is not supported; name the parts without them, by a part set"
+            raise entry.error(field, what)
+
+
+def _segment_set(deck: Deck, model: Model, every: Facets, entry: Entry, field: str) -> Facets:
+    """The segments as given, their corners in the order that the set has them."""
+    found = deck.find(SET_SEGMENT, sid=getattr(entry, field), referred_by=(entry, field))
+    nodes = model.corners(found, ("n1", "n2", "n3", "n4"))
+    keys = corner_sets(np.concatenate([nodes, every.nodes]))
+    _, place = np.unique(keys, axis=0, return_inverse=True)
+    wanted, there = np.split(place.ravel(), [nodes.shape[0]])
+    # Of facets with the same corners the last of these wins: a shell before a solid, the stiffer before the softer.
+    order = np.lexsort([every.penalty, every.shell])
+    facet = np.full(place.max(initial=-1) + 1, -1)
+    facet[there[order]] = order
+    for row in np.flatnonzero(facet[wanted] < 0).tolist():
+        raise found.error("n1", "no shell and no face of a solid has the nodes of this segment", row)
+    return replace(every.only(facet[wanted]), nodes=nodes)

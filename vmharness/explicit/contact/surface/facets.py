@@ -1,0 +1,109 @@
+"""Facets: the shells of a deck and the faces of its solids, with what a penalty contact takes from their elements.
+
+    shell   k = K A / d     d the longer diagonal, of a triangle the longest side
+    solid   k = K A^2 / V   A of the face, V of the solid
+
+K = E / (3 (1 - 2 nu)) is the bulk modulus; k is the stiffness before scale factors. (LS-DYNA theory manual, penalty
+method.) A rigid part has E and PR of its material for this alone.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vmharness.deck import Deck
+from vmharness.explicit.contact.surface.faces import area_vectors, faces_of_solids, outside
+from vmharness.explicit.elements.shell._parts import shell_parts, thickness
+from vmharness.explicit.elements.solid._gradient import measures
+from vmharness.explicit.elements.solid._parts import SUPPORTED, solid_parts
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.parts import Index, Part
+from vmharness.explicit.model.state import Array
+
+
+@dataclass(frozen=True)
+class Facets:
+    """Columns over facets (n,)."""
+
+    nodes: (
+        Index  # (n, 4) rows of the state's arrays; a triangle's third twice; a solid's normal points outward
+    )
+    penalty: Array  # k before scale factors
+    thickness: Array  # of a shell, 0 of a solid
+    depth: Array  # of the element behind the facet: a shell's thickness, V / A of a solid
+    shell: NDArray[np.bool_]
+    rigid: NDArray[np.bool_]  # of *MAT_RIGID
+    pid: NDArray[np.int64]  # of the part
+    eid: NDArray[np.int64]  # of the element
+
+    def only(self, chosen: NDArray[np.bool_] | Index) -> "Facets":
+        """The chosen ones."""
+        return Facets(*(getattr(self, column.name)[chosen] for column in fields(self)))
+
+
+def all_facets(deck: Deck, model: Model) -> Facets:
+    """Every shell, and every face of every solid, also where two solids share it."""
+    blocks = [*_shells(deck, model), *_solids(deck, model)]
+    if not blocks:
+        return Facets(
+            np.zeros((0, 4), np.intp), *np.zeros((3, 0)), *np.zeros((2, 0), bool), *np.zeros((2, 0), int)
+        )
+    columns = [[getattr(block, column.name) for block in blocks] for column in fields(Facets)]
+    return Facets(*(np.concatenate(column) for column in columns))
+
+
+def exterior(facets: Facets) -> NDArray[np.bool_]:
+    """Which facets (n,) can be touched: all shells, and the faces that one of the solids alone has."""
+    touchable = facets.shell.copy()
+    touchable[~facets.shell] = outside(facets.nodes[~facets.shell])
+    return touchable
+
+
+def _shells(deck: Deck, model: Model) -> Iterator[Facets]:
+    for corners in (4, 3):
+        for part in shell_parts(deck, model, corners):
+            nodes, t = part.nodes[:, [0, 1, 2, corners - 1]], thickness(part)
+            x = model.x0[nodes]
+            stiffness = bulk_modulus(part) * area(x) / diagonals(x).max(axis=1)
+            yield _of_part(part, nodes, stiffness, t, t, np.arange(part.eid.size), shell=True)
+
+
+def _solids(deck: Deck, model: Model) -> Iterator[Facets]:
+    for elform in SUPPORTED:
+        for part in solid_parts(deck, model, elform):
+            nodes, solid = faces_of_solids(part.nodes)
+            depth = measures(model.x0[part.nodes])[0][solid] / area(model.x0[nodes])
+            stiffness = bulk_modulus(part) * area(model.x0[nodes]) / depth
+            yield _of_part(part, nodes, stiffness, np.zeros(solid.size), depth, solid, shell=False)
+
+
+def _of_part(
+    part: Part, nodes: Index, penalty: Array, thickness: Array, depth: Array, element: Index, shell: bool
+) -> Facets:
+    count, rigid = element.size, part.material.keyword.name == "MAT_RIGID"
+    return Facets(
+        nodes, penalty, thickness, depth, np.full(count, shell), np.full(count, rigid),
+        np.full(count, part.pid), part.eid[element],
+    )  # fmt: skip
+
+
+def bulk_modulus(part: Part) -> float:
+    """K = E / (3 (1 - 2 nu)) of the part's material."""
+    return float(part.material.e / (3.0 * (1.0 - 2.0 * part.material.pr)))
+
+
+def area(corners: Array) -> Array:
+    """Area (n,) of faces with `corners` (n, 4, 3)."""
+    return np.asarray(np.linalg.norm(area_vectors(corners), axis=1))
+
+
+def diagonals(corners: Array) -> Array:
+    """Both diagonals (n, 2) of faces with `corners` (n, 4, 3); of a triangle the longest side, twice."""
+    first, second, side = (
+        np.linalg.norm(corners[:, j] - corners[:, i], axis=1) for i, j in ((0, 2), (1, 3), (0, 1))
+    )
+    longest = np.maximum(np.maximum(first, second), side)
+    triangle = (corners[:, 2] == corners[:, 3]).all(axis=1)
+    return np.where(triangle[:, None], longest[:, None], np.column_stack([first, second]))

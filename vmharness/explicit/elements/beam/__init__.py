@@ -1,0 +1,1 @@
+"""Beams and trusses: elements of two nodes with a section."""

@@ -1,0 +1,53 @@
+"""Shells of a part of the deck -> their force, and their mass."""
+
+from collections.abc import Callable
+
+from vmharness.deck import Deck
+from vmharness.deck.keywords.control_shell import CONTROL_SHELL
+from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
+from vmharness.explicit.elements.shell._parts import thickness
+from vmharness.explicit.elements.shell._shells import Shells
+from vmharness.explicit.materials._law import law_of
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.parts import Part
+
+ELFORM = 2
+
+
+def add_part(deck: Deck, model: Model, part: Part, name: str, shells: Callable[..., Shells]) -> None:
+    """Add the force that `shells` makes of a part, by the `name` of what they are, and its lumped mass.
+
+    Nothing is added for a rigid part: see elements/rigid.py.
+    """
+    if part.rigid:
+        return
+    material, section, timestep = part.material, part.section, deck.first(CONTROL_TIMESTEP)
+    control = deck.first(CONTROL_SHELL)
+    if section.elform != ELFORM:
+        raise section.error("elform", f"not implemented; supported: {ELFORM} (Belytschko-Tsay)")
+    t = thickness(part)
+    law = law_of(material, "plane_stress", part.part)
+    try:
+        block = shells(
+            name=f"{name} of part {part.pid}",
+            nodes=part.nodes,
+            x=model.x0,
+            thickness=t,
+            density=material.ro,
+            law=law.plane_stress,
+            constants=law.constants(deck, material),
+            stiffness=(material.e, material.pr),
+            nip=section.nip,
+            shrf=section.shrf,
+            isdo=timestep.isdo if timestep else 0,
+            thinning=bool(control and control.istupd),
+            history=law.HISTORY["plane_stress"],
+            channels=getattr(law, "CHANNELS", {}),
+            eid=part.eid,
+            pid=part.pid,
+        )
+    except ValueError as error:
+        raise part.part.error(None, str(error)) from None
+    model.forces.append(block)
+    for corner in part.nodes.T:
+        model.add_mass(corner, block.mass, block.inertia)

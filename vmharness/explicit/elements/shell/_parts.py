@@ -1,0 +1,46 @@
+"""Shells of the deck, part by part, with their thickness."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from vmharness.deck import Deck
+from vmharness.deck.keywords.element_shell import ELEMENT_SHELL, ELEMENT_SHELL_THICKNESS
+from vmharness.deck.keywords.section_shell import SECTION_SHELL
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.parts import Index, Part, parts
+from vmharness.explicit.model.state import Array
+
+
+def shell_parts(deck: Deck, model: Model, corners: int) -> Iterator[Part]:
+    """Every part that has shells of four or of three `corners`, with these alone; a triangle has N4 = N3 or 0."""
+    for part in parts(deck, model, (ELEMENT_SHELL, ELEMENT_SHELL_THICKNESS), SECTION_SHELL):
+        third, fourth = part.nodes[:, 2:].T
+        chosen = ((fourth == third) | (fourth < 0)) == (corners == 3)
+        if not chosen.any():
+            continue
+        part = part.only(chosen, corners)
+        ordered = np.sort(part.nodes, axis=1)
+        for i in np.flatnonzero((ordered[:, 1:] == ordered[:, :-1]).any(axis=1)):
+            table = part.tables[part.table[i]]
+            raise table.error("n1", "has a node twice; a triangle repeats its third as N4", int(part.row[i]))
+        yield part
+
+
+def shell_faces(deck: Deck, model: Model) -> Index:
+    """Corners (ne, 4) of all shells, as rows of the state's arrays; a triangle's third comes twice."""
+    triangles = [part.nodes[:, [0, 1, 2, 2]] for part in shell_parts(deck, model, 3)]
+    return np.concatenate([
+        *(part.nodes for part in shell_parts(deck, model, 4)), *triangles, np.zeros((0, 4), np.intp)
+    ])  # fmt: skip
+
+
+def thickness(part: Part) -> Array:
+    """Mean of the nodal thicknesses (ne,): the element's own where it gives one, else the section's."""
+    section, corners = part.section, part.nodes.shape[1]
+    usual = [section.t1, *(t if t > 0.0 else section.t1 for t in (section.t2, section.t3, section.t4))]
+    own = np.column_stack([part.column(f"thic{i}") for i in range(1, corners + 1)])
+    mean = np.where(own > 0.0, own, usual[:corners]).mean(axis=1)
+    if not np.all(mean > 0.0):
+        raise section.error("t1", "a shell needs a thickness greater than 0")
+    return np.asarray(mean)

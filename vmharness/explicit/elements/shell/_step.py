@@ -1,0 +1,86 @@
+"""One step of many shells: gather, rates at mid-step, stresses, forces at the end of the step, scatter.
+
+Arrays per block of LANES elements, with rows as in rows.py: `nodes (blocks, corners rows)`; `section (blocks, rows)`,
+thickness, root of the factor of density (1 but for mass scaling), hourglass moduli; `stress (blocks, nip, 5 rows)`,
+xx, yy, xy, yz, zx; `history (blocks, nip, rows)`; `hourglass (blocks, rows)`, as the kind of shell has it. The last
+block is filled up with copies of the last element, which add neither force nor energy.
+
+The stages `strain`, `hourglass_force` and `force` are those of the kind of shell; `stress_at_point` has the law.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vmharness.explicit.elements.shell._rows import HOURGLASS_WORK, LENGTH, MOMENT, OMEGA, WORK, F, V, X
+from vmharness.explicit.elements.shell._thickness import thin
+from vmharness.explicit.kernels.simd import LANES, Indices, gather, scatter
+from vmharness.explicit.model.state import Array
+
+if TYPE_CHECKING:  # not these, but what shell/kind.py binds
+    from vmharness.explicit.elements.shell._point import stress_at_point
+    from vmharness.explicit.elements.shell.belytschko_tsay.lanes import corners
+    from vmharness.explicit.elements.shell.belytschko_tsay.length import by_side as length
+    from vmharness.explicit.elements.shell.belytschko_tsay.step import force, hourglass_force, strain
+
+
+def step(
+    x: Array,
+    v: Array,
+    omega: Array,
+    dt: float,
+    nodes: Indices,
+    elements: int,
+    section: Array,
+    points: Array,
+    shrf: float,
+    thinning: bool,
+    constants: tuple[float, ...],
+    stress: Array,
+    history: Array,
+    viscous: bool,
+    hourglass: Array,
+    f: Array,
+    moment: Array,
+    energy: Array,
+    work: Array,
+) -> float:
+    """Bring stresses to t_n, add forces and moments there, and the step's work to `energy`; the shortest L_s.
+
+    `x`, `v`, `omega`, `f`, `moment` (n, 3); `points` (nip, 2): height -1..1 and weight of sum 2; `energy` (2,):
+    internal, hourglass.
+    """
+    for e in range(LANES):
+        work[LENGTH * LANES + e] = np.inf
+    for block in range(len(nodes)):
+        gather(x, nodes[block], work, X)
+        gather(v, nodes[block], work, V)
+        gather(omega, nodes[block], work, OMEGA)
+        strain(work, dt)
+        for p in range(len(points)):
+            zeta, weight = points[p]
+            stress_at_point(
+                work, dt, section[block], zeta, weight, shrf, constants, stress[block, p], history[block, p]
+            )
+        if thinning:
+            thin(work, section[block])
+        hourglass_force(work, dt, section[block], viscous, hourglass[block])
+        force(work, section[block])
+        count = min(LANES, elements - block * LANES)
+        scatter(f, nodes[block], count, work, F)
+        scatter(moment, nodes[block], count, work, MOMENT)
+        for e in range(count):
+            energy[0] += work[WORK * LANES + e]
+            energy[1] += work[HOURGLASS_WORK * LANES + e]
+    shortest = np.inf
+    for e in range(LANES):
+        shortest = min(shortest, work[LENGTH * LANES + e])
+    return shortest
+
+
+def lengths(x: Array, nodes: Indices, work: Array, out: Array) -> None:
+    """L_s (ne,) of each element; `x (n, 3)`, `nodes (blocks, corners rows)`."""
+    for block in range(len(nodes)):
+        gather(x, nodes[block], work, X)
+        for e in range(min(LANES, len(out) - block * LANES)):
+            out[block * LANES + e] = length(corners(work, X, e))

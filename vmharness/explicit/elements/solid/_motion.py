@@ -1,0 +1,85 @@
+"""First stage of a hexahedron's step: patterns, mean velocity gradient at mid-step, and the frame that turns with it.
+
+x_{n-1/2} = x_n - dt/2 v_{n-1/2}, in patterns as in nodes. The frame turns with the mean spin (turn.py). Each of the
+three loops vectorises; as one they would not.
+"""
+
+from vmharness.explicit.elements.solid._gradient import mean, mean_velocity_gradient
+from vmharness.explicit.elements.solid._pattern import Patterns, patterns
+from vmharness.explicit.elements.solid._rows import (
+    GRADIENT,
+    MIDDLE,
+    NOW,
+    TURN,
+    VOLUME,
+    WORK,
+    V,
+    X,
+    nodes,
+    put_seven,
+    put_tensor,
+    seven,
+    tensor,
+)
+from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.kernels.rotation import half, triad, turned
+from vmharness.explicit.kernels.simd import LANES, put, vector
+from vmharness.explicit.kernels.vector import add, inlined, scale
+from vmharness.explicit.model.state import Array
+
+
+@inlined
+def at_mid_step(x: Patterns, v: Patterns, dt: float) -> Patterns:
+    """x - dt/2 v."""
+    h = -0.5 * dt
+    return (
+        add(x[0], scale(h, v[0])),
+        add(x[1], scale(h, v[1])),
+        add(x[2], scale(h, v[2])),
+        add(x[3], scale(h, v[3])),
+        add(x[4], scale(h, v[4])),
+        add(x[5], scale(h, v[5])),
+        add(x[6], scale(h, v[6])),
+    )
+
+
+@kernel
+def motion(work: Array, dt: float, kept: Array) -> None:
+    """Patterns in place of nodes, GRADIENT, VOLUME, the frame in MIDDLE and NOW; work begins at zero."""
+    to_patterns(work, X)
+    to_patterns(work, V)
+    gradient(work, dt)
+    turn(work, dt, kept)
+
+
+@kernel
+def to_patterns(work: Array, row: int) -> None:
+    """Patterns 1 to 7 in place of the nodes from `row` on."""
+    for e in range(LANES):
+        put_seven(work, row, e, patterns(nodes(work, row, e)))
+
+
+@kernel
+def gradient(work: Array, dt: float) -> None:
+    """VOLUME and GRADIENT at mid-step."""
+    for e in range(LANES):
+        v = seven(work, V, e)
+        volume, b = mean(at_mid_step(seven(work, X, e), v, dt))
+        put_tensor(work, GRADIENT, e, mean_velocity_gradient(v, volume, b))
+        work[VOLUME * LANES + e] = volume
+        work[WORK * LANES + e] = 0.0
+
+
+@kernel
+def turn(work: Array, dt: float, kept: Array) -> None:
+    """The frame turns by the mean spin: its axes at mid-step in MIDDLE, at the end in NOW."""
+    for e in range(LANES):
+        L = tensor(work, GRADIENT, e)
+        spin = (L[2][1] - L[1][2], L[0][2] - L[2][0], L[1][0] - L[0][1])
+        t = half(scale(0.25 * dt, spin))
+        s, u = turned(kept[TURN * LANES + e], vector(kept, TURN + 1, e), t)
+        put_tensor(work, MIDDLE, e, triad(s, u))
+        s, u = turned(s, u, t)
+        put_tensor(work, NOW, e, triad(s, u))
+        kept[TURN * LANES + e] = s
+        put(kept, TURN + 1, e, u)

@@ -1,0 +1,56 @@
+"""Solids of the deck, part by part, with what rules their bulk viscosity and hourglass control."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from vmharness.deck import Deck, DeckError, Entry
+from vmharness.deck.keywords.control_bulk_viscosity import CONTROL_BULK_VISCOSITY
+from vmharness.deck.keywords.element_solid import ELEMENT_SOLID
+from vmharness.deck.keywords.hourglass import HOURGLASS
+from vmharness.deck.keywords.section_solid import SECTION_SOLID
+from vmharness.explicit.elements.solid._gradient import measures
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.parts import Part, parts
+
+Q1, Q2 = 1.5, 0.06
+SUPPORTED = {1: "one point", 2: "fully integrated"}  # by ELFORM
+
+
+def solid_parts(deck: Deck, model: Model, elform: int) -> Iterator[Part]:
+    """Every part that has solids of this formulation; raises DeckError for what no formulation can do."""
+    for part in parts(deck, model, (ELEMENT_SOLID,), SECTION_SOLID):
+        if part.section.elform not in SUPPORTED:
+            able = ", ".join(f"{number} ({what})" for number, what in SUPPORTED.items())
+            raise part.section.error("elform", f"not implemented; supported: {able}")
+        if part.section.elform == elform:
+            _check_shapes(part, model)
+            yield part
+
+
+def bulk_viscosity(deck: Deck, part: Entry) -> tuple[float, float]:
+    """Q1 and Q2: *HOURGLASS of the part, else *CONTROL_BULK_VISCOSITY, else 1.5 and 0.06."""
+    if part.hgid:
+        own = deck.find(HOURGLASS, hgid=part.hgid, referred_by=(part, "hgid"))
+        return own.q1, own.q2
+    control = deck.first(CONTROL_BULK_VISCOSITY)
+    return (control.q1, control.q2) if control else (Q1, Q2)
+
+
+def _check_shapes(part: Part, model: Model) -> None:
+    """Eight different nodes, or a wedge 1 2 3 4 5 5 6 6; a volume greater than 0."""
+    n = part.nodes
+    different = 1 + (np.diff(np.sort(n, axis=1), axis=1) > 0).sum(axis=1)
+    wedge = (different == 6) & (n[:, 4] == n[:, 5]) & (n[:, 6] == n[:, 7])
+    for i in np.flatnonzero((different < 8) & ~wedge).tolist():
+        what = "a tetrahedron" if different[i] == 4 else "nodes repeat"
+        raise _error(part, i, f"{what}; supported: eight different nodes, and wedges n1 n2 n3 n4 n5 n5 n6 n6")
+    volume, _, _ = measures(model.x0[n])
+    for i in np.flatnonzero(~(volume > 0.0)).tolist():
+        raise _error(
+            part, i, "the solid has no volume, or is inside out: nodes 1 to 4, seen from 5 to 8, turn left"
+        )
+
+
+def _error(part: Part, element: int, what: str) -> DeckError:
+    return part.tables[part.table[element]].error("n1", what, int(part.row[element]))

@@ -1,0 +1,41 @@
+"""A material's law at one point of every element of a block, in the element's frame."""
+
+from vmharness.explicit.elements.solid._rows import STRAIN, VOLUME, WORK
+from vmharness.explicit.kernels.simd import LANES, put, vector
+from vmharness.explicit.kernels.vector import add, dot
+from vmharness.explicit.materials.elastic import solid as law
+from vmharness.explicit.model.state import Array
+
+
+def stress_at_point(
+    work: Array, dt: float, constants: tuple[float, ...], stress: Array, history: Array
+) -> None:
+    """Update `stress` (6 rows: 11, 22, 33, 12, 23, 31) by STRAIN; work += V 1/2 (s_{n-1} + s_n) . de."""
+    for e in range(LANES):
+        dn, ds = vector(work, STRAIN, e), vector(work, STRAIN + 3, e)
+        pn, ps = vector(stress, 0, e), vector(stress, 3, e)
+        sxx, syy, szz, sxy, syz, szx = law(
+            constants,
+            dt,
+            dn[0],
+            dn[1],
+            dn[2],
+            ds[0],
+            ds[1],
+            ds[2],
+            pn[0],
+            pn[1],
+            pn[2],
+            ps[0],
+            ps[1],
+            ps[2],
+            history,
+            e,
+            LANES,
+        )
+        normal, shear = (sxx, syy, szz), (sxy, syz, szx)
+        put(stress, 0, e, normal)
+        put(stress, 3, e, shear)
+        work[WORK * LANES + e] += (
+            0.5 * work[VOLUME * LANES + e] * (dot(add(pn, normal), dn) + dot(add(ps, shear), ds))
+        )

@@ -1,0 +1,21 @@
+"""Solid of eight nodes with 2 x 2 x 2 points (ELFORM 2) and the element's mean dilatation at all of them.
+
+At a point the velocity gradient L gives the strain rate, whose trace is replaced by the mean over the volume:
+
+    D = 1/2 (L + L^T) + 1/3 (tr L_mean - tr L) I
+
+so that nearly incompressible material does not lock (selective reduced integration; T. J. R. Hughes, Generalization of
+selective integration procedures to anisotropic and nonlinear media, International Journal for Numerical Methods in
+Engineering 15 (1980) 1413-1418). Forces are the transpose. There are no hourglass modes. All points turn with the
+element's mean spin (turn.py). In bending, elements longer than thick are too stiff by shear, and one alone across a
+beam too soft, for its pressure is constant: a beam takes cubes, two or more through its depth.
+
+    step.py    one step of many elements
+    build.py   from the deck
+"""
+
+from vmharness.explicit.elements.solid.full.build import build, compiled
+
+NAME = "fully integrated hexahedron"
+
+__all__ = ["NAME", "build", "compiled"]

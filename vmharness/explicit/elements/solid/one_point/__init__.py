@@ -1,0 +1,20 @@
+"""Solid of eight nodes with one point (ELFORM 1): constant stress, hourglass control.
+
+Sources: D. P. Flanagan, T. Belytschko, A uniform strain hexahedron and quadrilateral with orthogonal hourglass control,
+International Journal for Numerical Methods in Engineering 17 (1981) 679-706; J. O. Hallquist, LS-DYNA Theory Manual,
+solid elements.
+
+    hourglass.py   viscous and stiffness forms
+    step.py        one step of many elements: motion, strain, stress, forces
+    build.py       from the deck
+
+What it shares with other solids is in explicit/hexahedron/. The gradient is the mean over the volume, so that strain is
+exact for linear fields in any shape, and volume too; the stress obeys the Jaumann rate.
+"""
+
+from vmharness.explicit.elements.solid.one_point.build import build, compiled
+from vmharness.explicit.elements.solid.one_point.hourglass import Hourglass, moduli
+
+NAME = "one-point hexahedron"
+
+__all__ = ["NAME", "Hourglass", "build", "compiled", "moduli"]

@@ -1,0 +1,1 @@
+"""A deck as arrays: nodes, state, parts, sets, curves, degrees of freedom."""

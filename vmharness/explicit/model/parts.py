@@ -1,0 +1,77 @@
+"""Parts of the deck: elements of one kind with their section and material."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vmharness.deck import Deck, Entry, Keyword
+from vmharness.deck.keywords.part import PART
+from vmharness.explicit.kernels.threads import shares
+from vmharness.explicit.materials._law import material_of
+from vmharness.explicit.materials.rigid import KEYWORD as MAT_RIGID
+from vmharness.explicit.model.model import Model
+
+Index = NDArray[np.intp]
+
+
+@dataclass(frozen=True)
+class Part:
+    """The elements of one kind (shells, solids, beams, ...) of one part."""
+
+    part: Entry
+    section: Entry
+    material: Entry
+    eid: NDArray[np.int64]  # (ne,)
+    nodes: Index  # (ne, corners) rows of the state's arrays; -1 is the ground
+    table: NDArray[np.intp]  # (ne,) which of `tables` has the element
+    row: NDArray[np.intp]  # (ne,) its row there
+    tables: Sequence[Entry]
+
+    @property
+    def pid(self) -> int:
+        """The part's number."""
+        return int(self.part.pid)
+
+    @property
+    def rigid(self) -> bool:
+        """Whether its material is *MAT_RIGID."""
+        return self.material.keyword is MAT_RIGID
+
+    def only(self, chosen: NDArray[np.bool_], corners: int) -> "Part":
+        """The `chosen` (ne,) of its elements, with the first of their corners."""
+        kept = {name: getattr(self, name)[chosen] for name in ("eid", "table", "row")}
+        return replace(self, nodes=self.nodes[chosen, :corners], **kept)
+
+    def column(self, field: str, absent: float = 0.0) -> NDArray[np.float64]:
+        """A field of the elements (ne,), `absent` in tables that do not have it."""
+        column = np.full(self.eid.size, absent, float)
+        for number, table in enumerate(self.tables):
+            if field in table.values:
+                chosen = self.table == number
+                column[chosen] = table.values[field][self.row[chosen]]
+        return column
+
+
+def parts(deck: Deck, model: Model, elements: Sequence[Keyword], sections: Keyword) -> Iterator[Part]:
+    """Every part that has such elements, in the order of their first element; a large one in shares for the threads.
+
+    `sections` is the *SECTION_... that their part must have.
+    """
+    tables = deck.all(*elements)
+    if not tables:
+        return
+    pid, eid = (np.concatenate([getattr(table, name) for table in tables]) for name in ("pid", "eid"))
+    nodes = np.concatenate([model.corners(table, table.keyword.corners, ground=True) for table in tables])
+    number = np.concatenate([np.full(table.eid.size, i) for i, table in enumerate(tables)])
+    row = np.concatenate([np.arange(table.eid.size) for table in tables])
+    for one in dict.fromkeys(pid.tolist()):
+        chosen = np.flatnonzero(pid == one)
+        first = (tables[number[chosen[0]]], "pid", int(row[chosen[0]]))
+        part = deck.find(PART, pid=one, referred_by=first)
+        section = deck.find(sections, secid=part.secid, referred_by=(part, "secid"))
+        material = material_of(deck, part)
+        for share in shares(chosen.size, model.ncpu):
+            some = chosen[share]
+            yield Part(part, section, material, eid[some], nodes[some], number[some], row[some], tables)

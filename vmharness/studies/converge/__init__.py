@@ -1,0 +1,1 @@
+"""Observed order of accuracy, extrapolated value and its uncertainty."""

@@ -1,0 +1,82 @@
+"""The record of a refinement: what each result did from level to level, against theory and the order it promises."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from vmharness.case import Case
+from vmharness.formula import Unit
+from vmharness.studies.converge.richardson import Kind, Richardson, richardson
+from vmharness.studies.maker import Maker
+
+ENOUGH = 0.1  # of the promised order: an observed one may lie so far below, or by its uncertainty
+
+
+@dataclass(frozen=True)
+class Level:
+    """One run of the sequence: N, the size that it stands for, the data that were set, each in its unit."""
+
+    number: float
+    size: float
+    data: dict[str, float]
+    cycles: int
+    failure: str = ""
+
+
+@dataclass(frozen=True)
+class Refined:
+    """A result over all levels, in its unit."""
+
+    key: str
+    label: str
+    unit: str
+    target: float
+    values: list[float | None]
+    promised: float | None  # order; None where the case promises none
+    found: Richardson
+    inside: bool | None  # theory lies within the extrapolated value +- GCI; None without one
+
+    @property
+    def agrees(self) -> bool | None:
+        """The order is the promised one or higher, or there is no error left to have one; None without a promise."""
+        if self.promised is None:
+            return None
+        if self.found.kind is Kind.EXACT:
+            return True
+        if self.found.order is None:
+            return False
+        below = max(self.found.uncertainty or 0.0, ENOUGH * self.promised)
+        return self.found.order >= self.promised - below
+
+
+@dataclass(frozen=True)
+class Convergence:
+    """All that `vm converge` finds out about a case."""
+
+    case: str
+    case_sha256: str  # of its inputs
+    refined: str
+    size: str  # the formula
+    unit: str  # of the size
+    held: str
+    because: str
+    levels: list[Level]
+    results: list[Refined]
+    made_by: Maker | None = None  # None in records of before it was kept
+
+
+def refined(case: Case, sizes: Sequence[float], values: Mapping[str, list[float | None]]) -> list[Refined]:
+    """Each result with its `values` at the falling `sizes`."""
+    plan = case.file.converge
+    orders = plan.orders if plan else {}
+    found = []
+    for result in case.file.results:
+        target = case.target(result.key) / case.units.factor(Unit(result.unit))
+        promised, computed = orders.get(result.key), values[result.key]
+        sequence = richardson(sizes, computed, promised)
+        inside = None
+        if sequence.extrapolated is not None and sequence.gci is not None:
+            inside = abs(sequence.extrapolated - target) <= sequence.gci
+        found.append(
+            Refined(result.key, result.label, result.unit, target, computed, promised, sequence, inside)
+        )
+    return found

@@ -1,0 +1,71 @@
+"""The levels of a refinement as variants of a case, and the record of what they gave."""
+
+from collections.abc import Sequence
+
+from vmharness.case import Case, CaseError
+from vmharness.case.format import Converge
+from vmharness.formula import Unit
+from vmharness.studies.converge.convergence import Convergence, Level, refined
+from vmharness.studies.made import maker
+from vmharness.studies.measured import Measured
+from vmharness.studies.variant import Variant
+
+
+def levels(case: Case) -> list[Variant]:
+    """A variant for each level of [converge]; raises CaseError without one, or where the targets would move."""
+    variants = []
+    for number in _plan(case).levels:
+        variant = case.with_given(_data(case, number))
+        for result in case.file.results:
+            target, moved = case.target(result.key), variant.target(result.key)
+            if abs(moved - target) > 1e-9 * abs(target):
+                raise CaseError(f"{case.id}: [converge] N = {number:g} moves the target of {result.key}")
+        variants.append(Variant(variant, f"N = {number:g}"))
+    return variants
+
+
+def convergence(case: Case, outcomes: Sequence[Measured]) -> Convergence:
+    """The record of the levels' outcomes."""
+    plan = _plan(case)
+    found = []
+    for number, outcome in zip(plan.levels, outcomes, strict=True):
+        data = {
+            name: value / case.units.factor(case.file.given[name].unit)
+            for name, value in _data(case, number).items()
+        }
+        found.append(Level(number, _at(case, "size", number), data, outcome.cycles, outcome.failure))
+    values = {
+        result.key: [
+            outcome.results[result.key].value if result.key in outcome.results else None
+            for outcome in outcomes
+        ]
+        for result in case.file.results
+    }
+    dimension = case.formulas["converge size"].dimension({**case.dimensions, "N": Unit("").dimension})
+    return Convergence(
+        case=case.id,
+        case_sha256=case.inputs_sha256,
+        refined=plan.refined,
+        size=plan.size,
+        unit=case.units.name(dimension),
+        held=plan.held,
+        because=plan.because,
+        levels=found,
+        results=refined(case, [level.size for level in found], values),
+        made_by=maker(outcomes),
+    )
+
+
+def _plan(case: Case) -> Converge:
+    if case.file.converge is None:
+        raise CaseError(f"{case.id}: has no [converge]: nothing says what is to be refined")
+    return case.file.converge
+
+
+def _data(case: Case, number: float) -> dict[str, float]:
+    return {name: _at(case, name, number) for name in _plan(case).set}
+
+
+def _at(case: Case, name: str, number: float) -> float:
+    """The value of a formula of [converge] at the level `number`; consistent units."""
+    return float(case.formulas[f"converge {name}"].evaluate({**case.values, "N": number}))

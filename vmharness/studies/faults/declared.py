@@ -1,0 +1,98 @@
+"""Planted faults: changes of the deck alone that a case must notice."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from vmharness.case import Case, CaseError
+from vmharness.case.change import changed_value
+from vmharness.case.format import Fault
+from vmharness.case.tolerance import allowed_difference
+
+# A parameter with just this formula is how long the deck runs, and no datum of its problem.
+RUN_LENGTH = "t_end"
+
+
+@dataclass(frozen=True)
+class Move:
+    """How far a fault moves a result, by theory."""
+
+    percent: float | None  # of the target; None where that is zero
+    tolerances: float  # change / allowed difference: what is not above 1 cannot fail
+
+
+def in_deck(case: Case, datum: str) -> bool:
+    """Whether the problem that the deck poses, and not only the length of its run, follows from a given datum."""
+    deck = case.file.deck
+    follow = [f"parameter {name}" for name, formula in deck.parameters.items() if formula != RUN_LENGTH]
+    follow += [f"mesh {name}" for name in deck.mesh]
+    return any(datum in case.origins(name) for name in follow)
+
+
+def planted(case: Case, fault: Fault) -> Case:
+    """The case with `fault` in its deck: the theory, and so the targets, stay as they are."""
+    return case.with_deck_of(_data(case, fault))
+
+
+def moves(case: Case, fault: Fault) -> Mapping[str, Move | None]:
+    """By key of each result that must fail: theory with the faulty data, against the sound one.
+
+    The gate reads the faulty run at the time, or the level, that the sound theory says. Where the fault moves that too,
+    the theory of the channel over time is read there, and the move is None if the case has none. Raises CaseError where
+    no parameter of the deck follows from the data, or theory has no value for them.
+    """
+    faulty = case.with_given(_data(case, fault))
+    return {key: _move(case, faulty, key) for key in fault.must_fail}
+
+
+def review(case: Case) -> list[str]:
+    """Faults that cannot make a result fail that they must, as sentences."""
+    wrong = []
+    for number, fault in enumerate(case.file.faults, 1):
+        place = f"[faults] {number} ({fault.text})"
+        try:
+            moved = moves(case, fault)
+        except CaseError as error:
+            wrong.append(f"{place}: {error}")
+            continue
+        wrong += [
+            f"{place}: {key} must fail, but theory moves it by {move.tolerances:.2g} of its tolerance only"
+            for key, move in moved.items()
+            if move is not None and not move.tolerances > 1.0
+        ]
+    return wrong
+
+
+def _data(case: Case, fault: Fault) -> dict[str, float]:
+    """The changed data in consistent units."""
+    return {
+        name: changed_value(case.given[name], change, case.units.factor(case.file.given[name].unit))
+        for name, change in fault.change.items()
+    }
+
+
+def _move(case: Case, faulty: Case, key: str) -> Move | None:
+    change = change_seen(case, faulty, key)
+    if change is None:
+        return None
+    target, allowed = case.target(key), allowed_difference(case, key)
+    share = abs(change) / allowed if allowed else float("inf") if change else 0.0
+    return Move(100.0 * change / target if target else None, share)
+
+
+def change_seen(case: Case, faulty: Case, key: str) -> float | None:
+    """How far the reading of a result moves, by theory, when the deck has the data of `faulty`; consistent units.
+
+    It is read at the time, or the level, of the sound theory; None where theory has no curve to read there.
+    """
+    result = case.result(key)
+    at, level = f"at {result.event}", f"level {result.event}"
+    if level in case.formulas and case.evaluate(level) != faulty.evaluate(level):
+        return None
+    if at not in case.formulas or case.evaluate(at) == faulty.evaluate(at):
+        return faulty.target(key) - case.target(key)
+    if result.channel not in case.file.curves:
+        return None
+    time = np.array([case.evaluate(at)])
+    return float((faulty.curve(result.channel, time) - case.curve(result.channel, time))[0])

@@ -1,0 +1,86 @@
+"""Planted faults of a case, in its deck and in the solver, and what its results make of them."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from vmharness.backends.builtin import read_deck
+from vmharness.case import Case
+from vmharness.studies.faults import plant
+from vmharness.studies.faults.deck_faults import (
+    OTHER_SIGN,
+    Planted,
+    is_of_model,
+    parameter_faults,
+    support_faults,
+)
+from vmharness.studies.faults.detection import Detection, Finding, Noticed
+from vmharness.studies.made import maker
+from vmharness.studies.measured import Measured
+from vmharness.studies.variant import Variant
+
+LONGEST = 3  # a wrong unit makes a run no more than so many times as long: it would only be waited for
+
+
+class StudyError(Exception):
+    """A study that cannot be made."""
+
+
+def planted(case: Case, sound: Measured) -> list[Planted]:
+    """Every fault to plant in a case whose `sound` run is known; raises StudyError unless that passes."""
+    if not sound.passed:
+        key = sound.worst[0] if sound.worst else "nothing"
+        raise StudyError(f"{case.id}: does not pass without any fault: {sound.failure or key}")
+    return [*parameter_faults(case, LONGEST * sound.cycles), *support_faults(case), *solver_faults(case)]
+
+
+def solver_faults(case: Case) -> list[Planted]:
+    """The faults of the solver that the deck has something of."""
+    names = {entry.keyword.name for entry in read_deck(case).entries}
+    return [
+        Planted(fault.name, fault.text, fault.kind, Variant(case, fault.name, fault.digest))
+        for fault in plant.faults()
+        if not fault.keywords or any(name.startswith(fault.keywords) for name in names)
+    ]
+
+
+def detection(
+    case: Case, sound: Measured, faults: Sequence[Planted], outcomes: Sequence[Measured]
+) -> Detection:
+    """What the results of a case make of each fault, and of those that its deck has nothing of, which are not run."""
+    found = [finding(fault, sound, outcome) for fault, outcome in zip(faults, outcomes, strict=True)]
+    run = {fault.name for fault in faults}
+    unseen = [fault for fault in plant.faults() if fault.name not in run]
+    found += [Finding(fault.name, fault.text, fault.kind, Noticed.UNSEEN) for fault in unseen]
+    idle = {name for name in case.file.deck.parameters if _is_idle(case, name, found)}
+    found = [
+        replace(one, noticed=Noticed.HARMLESS)
+        if one.kind == "deck" and one.fault.partition(" ")[0] in idle and one.noticed is Noticed.MISSED
+        else one
+        for one in found
+    ]
+    return Detection(case.id, case.inputs_sha256, found, maker([sound]))
+
+
+def _is_idle(case: Case, name: str, found: Sequence[Finding]) -> bool:
+    """Whether a parameter is of the model alone, and every change of it passes, the wrong unit included."""
+    own = [one for one in found if one.kind == "deck" and one.fault.partition(" ")[0] == name]
+    passed = [one.noticed is not Noticed.CAUGHT for one in own if one.fault != f"{name} {OTHER_SIGN}"]
+    return is_of_model(case, f"parameter {name}") and all(passed)
+
+
+def finding(fault: Planted, sound: Measured, outcome: Measured) -> Finding:
+    """Caught, missed, or the same to the last bit; raises StudyError where the fault could not be planted."""
+    if outcome.failure.startswith("defect: "):
+        raise StudyError(f"{fault.name}: {outcome.failure}")
+    found = Finding(fault.name, fault.text, fault.kind, Noticed.CAUGHT)
+    if outcome.failure:
+        return replace(found, reason=outcome.failure)
+    key, share = outcome.worst or ("", np.inf)
+    by = replace(found, by=key, share=float(f"{share:.3g}") if np.isfinite(share) else None)
+    if not outcome.passed:
+        wrong = next(value for value in outcome.results.values() if value.verdict != "pass")
+        return by if by.share is not None else replace(by, reason=outcome.results[key].reason or wrong.reason)
+    same = (outcome.history_sha256, outcome.results) == (sound.history_sha256, sound.results)
+    return replace(found, noticed=Noticed.UNSEEN) if same else replace(by, noticed=Noticed.MISSED)

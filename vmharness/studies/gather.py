@@ -1,0 +1,87 @@
+"""Many variants through the solver, in worker processes that each serve many of them."""
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack
+
+from vmharness.execution.message import Began, Done, Lost, Progress, Raised
+from vmharness.execution.pool import Pool
+from vmharness.execution.worker import Report, Work
+from vmharness.studies import store
+from vmharness.studies.measured import Measured, measured
+from vmharness.studies.variant import Variant
+
+Plant = Callable[[str], None]  # changes the solver by a named fault, before it is imported
+Step = tuple[int, Began | Progress | Measured]
+
+
+def gather(
+    variants: Sequence[Variant],
+    jobs: int = 1,
+    timeout: float = 600.0,
+    solver: str = "builtin",
+    plant: Plant | None = None,
+    workers: Pool | None = None,
+) -> Iterator[Step]:
+    """Yield (number of the variant, Began or Progress or its Measured) until each is Measured, which it is once.
+
+    What was run before is read from disk, and kept there as soon as it is known: interrupt, and begin again where it
+    ended. Variants that are alike run once. A crash or a time limit is a failure of that variant alone. Variants with a
+    `fault` run in processes of their own, in which `plant(fault)` comes before the solver is imported.
+    Those without one run in `workers`, as `pool` makes them, if they are given: to begin again and again costs seconds.
+    """
+    waiting: dict[str, list[int]] = {}
+    for number, variant in enumerate(variants):
+        key = variant.key(solver)
+        if key not in waiting and (known := store.load(key)):
+            yield number, known
+        else:
+            waiting.setdefault(key, []).append(number)
+    for fault in dict.fromkeys(variants[numbers[0]].fault for numbers in waiting.values()):
+        keys = [key for key, numbers in waiting.items() if variants[numbers[0]].fault == fault]
+        tasks = [variants[waiting[key][0]] for key in keys]
+        with ExitStack() as stack:
+            own = workers if workers and not fault else None
+            at_work = own or stack.enter_context(Pool(min(jobs, len(tasks)), serving, solver, fault, plant))
+            for task, message in _outcomes(at_work, tasks, keys, timeout):
+                for number in waiting[keys[task]]:
+                    yield number, message
+
+
+def pool(jobs: int, solver: str) -> Pool:
+    """Workers for one `gather` after the other, to be left as a context."""
+    return Pool(jobs, serving, solver, "", None)
+
+
+def serving(solver: str, fault: str, plant: Plant | None) -> Work:
+    """In a worker: plant the fault, import the solver; the work is to run a variant and to measure.
+
+    Nothing of a case, a solver or a measurement may be imported before: a fault can lie in any of them.
+    """
+    if fault:
+        if plant is None:
+            raise ValueError(f"nothing plants the fault {fault}")
+        plant(fault)
+    from vmharness.backends import backend
+    from vmharness.run import run
+
+    solves = backend(solver)
+
+    def work(variant: Variant, progress: Report) -> Measured:
+        return measured(run(variant.case, solves, progress), variant.strides)
+
+    return work
+
+
+def _outcomes(pool: Pool, tasks: Sequence[Variant], keys: Sequence[str], timeout: float) -> Iterator[Step]:
+    """The pool's messages, with what is done kept on disk."""
+    for task, message in pool.each(tasks, timeout):
+        match message:
+            case Done(outcome):
+                store.keep(keys[task], outcome)
+                yield task, outcome
+            case Lost(reason):
+                yield task, Measured(failure=reason)
+            case Raised(error):
+                yield task, Measured(failure=f"defect: {error}")
+            case _:
+                yield task, message

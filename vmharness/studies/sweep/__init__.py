@@ -1,0 +1,1 @@
+"""The formulas over a region of the given data."""

@@ -1,0 +1,167 @@
+"""Points of a sweep as variants of a case, and the record of what they gave."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from vmharness.case import Case, CaseError
+from vmharness.case.format import Sweep
+from vmharness.case.settings import as_options, with_settings
+from vmharness.formula import FormulaError
+from vmharness.studies.made import maker
+from vmharness.studies.measured import Measured
+from vmharness.studies.sweep import sample
+from vmharness.studies.sweep.sample import Point
+from vmharness.studies.sweep.shrink import shrink
+from vmharness.studies.sweep.swept import Failing, Swept, Worst, worst_share
+from vmharness.studies.variant import Variant
+
+SIMPLER = "simpler points that might fail"
+MOST = 100_000  # points of a grid, before its constraints: more would run for days
+Gather = Callable[[Sequence[Variant], str], Sequence[Measured]]  # of variants, and what they are for
+
+
+def points(case: Case, count: int | None, seed: int, grid: int | None) -> tuple[list[Point], str]:
+    """The points of the sweep, each datum in its unit, and in words how they were chosen.
+
+    A `grid` has so many values of each datum. Raises CaseError where no point meets the constraints, or a grid is of
+    more than MOST points.
+    """
+    plan = plan_of(case)
+    if grid is not None:
+        if (size := grid ** len(plan.ranges)) > MOST:
+            raise CaseError(
+                f"{case.id}: a grid of {grid} values of {len(plan.ranges)} data has {size:.2g} points, "
+                f"which is more than {MOST}; -n takes a Latin hypercube of N points"
+            )
+        found = [point for point in sample.grid(plan.ranges, grid) if _accepted(case, plan, point)]
+        how = f"{len(found)} points of a grid of {grid} values a datum"
+    else:
+        wanted = count or plan.points
+        found = sample.sampled(plan.ranges, wanted, seed, lambda point: _accepted(case, plan, point))
+        how = f"{len(found)} points of a Latin hypercube, seed {seed}"
+    if not found:
+        raise CaseError(f"{case.id}: [sweep]: no point of the region meets its constraints")
+    return found, how
+
+
+def swept(case: Case, found: Sequence[Point], how: str, gather: Gather, again: str = "") -> Swept:
+    """The record of the points' outcomes, with the worst failing one shrunk; `gather` runs variants.
+
+    `again` is the command that runs the case alone.
+    """
+    plan = plan_of(case)
+    outcomes = measure(case, found, gather, "sweep")
+    labels = {result.key: result.label for result in case.file.results}
+    record = Swept(
+        case=case.id,
+        case_sha256=case.inputs_sha256,
+        how=how,
+        ranges=dict(plan.ranges),
+        units={name: case.file.given[name].unit for name in plan.ranges},
+        within=[f"{each.low:g} ≤ {each.formula} ≤ {each.high:g}: {each.because}" for each in plan.within],
+        data={name: [point[name] for point in found] for name in plan.ranges},
+        shares={key: [_share(outcome, key) for outcome in outcomes] for key in labels},
+        results=[_worst(key, label, found, outcomes) for key, label in labels.items()],
+        unjudged={number: outcome.failure for number, outcome in enumerate(outcomes) if outcome.failure},
+        failing=None,
+        made_by=maker(outcomes),
+    )
+    return replace(record, failing=_shrunk(case, record, found, gather, again)) if record.failed else record
+
+
+def measure(case: Case, found: Sequence[Point], gather: Gather, what: str) -> list[Measured]:
+    """The outcome at each point; where theory has no value, that is the failure."""
+    variants: dict[int, Variant] = {}
+    outcomes: dict[int, Measured] = {}
+    for number, point in enumerate(found):
+        try:
+            variants[number] = Variant(with_settings(case, settings(case, point)))
+        except CaseError as error:
+            outcomes[number] = Measured(failure=str(error))
+    outcomes |= dict(zip(variants, gather(list(variants.values()), what), strict=True))
+    return [outcomes[number] for number in range(len(found))]
+
+
+def settings(case: Case, point: Point) -> Point:
+    """The data of a point and those that follow from them, each in its unit, these to six digits."""
+    plan = plan_of(case)
+    there = with_settings(case, point) if point else case
+    follow = {}
+    for name in plan.set:
+        unit = case.units.factor(case.file.given[name].unit)
+        follow[name] = sample.rounded(there.evaluate(f"sweep {name}") / unit, 6)
+    return {**point, **follow}
+
+
+def plan_of(case: Case) -> Sweep:
+    """[sweep] of the case; raises CaseError without one."""
+    if case.file.sweep is None:
+        raise CaseError(f"{case.id}: has no [sweep]: nothing says which data may vary, and how far")
+    return case.file.sweep
+
+
+def _accepted(case: Case, plan: Sweep, point: Point) -> bool:
+    """No constraint that has a value at the point is broken; one that has none is kept, to be complained about."""
+    factors = {name: case.units.factor(case.file.given[name].unit) for name in point}
+    known = {**case.given, **{name: value * factors[name] for name, value in point.items()}}
+    for name in case.file.theory:
+        if (value := _value(case, name, known)) is not None:
+            known[name] = value
+    values = [_value(case, f"within {number}", known) for number in range(1, len(plan.within) + 1)]
+    return all(
+        value is None or each.low <= value <= each.high
+        for each, value in zip(plan.within, values, strict=True)
+    )
+
+
+def _value(case: Case, name: str, known: Point) -> float | None:
+    """Of a formula; None where the data give it none, or it needs a line of the theory that has none."""
+    formula = case.formulas[name]
+    if not formula.names <= known.keys():
+        return None
+    try:
+        return float(formula.evaluate(known))
+    except FormulaError:
+        return None
+
+
+def _share(outcome: Measured, key: str) -> float | None:
+    share = outcome.results[key].share if key in outcome.results else None
+    return None if share is None else sample.rounded(share, 4)
+
+
+def _worst(key: str, label: str, found: Sequence[Point], outcomes: Sequence[Measured]) -> Worst:
+    """Over the points that could be judged."""
+    judged = [i for i, outcome in enumerate(outcomes) if not outcome.failure]
+    results = {i: outcomes[i].results[key] for i in judged}
+    failed = sum(value.verdict != "pass" for value in results.values())
+    if not judged:
+        return Worst(key, label, None, None, {}, 0)
+    i = max(judged, key=lambda i: float("inf") if (share := results[i].share) is None else share)
+    return Worst(key, label, results[i].share, results[i].error, dict(found[i]), failed)
+
+
+def _shrunk(case: Case, record: Swept, found: Sequence[Point], gather: Gather, command: str) -> Failing:
+    """The worst failing point, made simpler as long as the same result fails."""
+    worst = max(record.failed, key=lambda i: worst_share(record, i))
+    key = max(record.shares, key=lambda key: _size(record.shares[key][worst]))
+    plan = plan_of(case)
+
+    def fails(attempts: Sequence[Point]) -> list[bool]:
+        kept = [_accepted(case, plan, attempt) for attempt in attempts]
+        tried = [attempt for attempt, keep in zip(attempts, kept, strict=True) if keep]
+        outcomes = iter(measure(case, tried, gather, SIMPLER))
+        return [keep and _fails(next(outcomes), key) for keep in kept]
+
+    simpler = shrink(found[worst], {name: case.datum(name) for name in found[worst]}, fails)
+    (last,) = measure(case, [simpler], gather, SIMPLER)
+    again = f"{command or f'vm run {case.id}'} {as_options(settings(case, simpler))}"
+    return Failing(dict(found[worst]), simpler, f"{key}: {last.results[key].reason}", again)
+
+
+def _fails(outcome: Measured, key: str) -> bool:
+    return not outcome.failure and outcome.results[key].verdict != "pass"
+
+
+def _size(share: float | None) -> float:
+    return float("inf") if share is None else share

@@ -1,0 +1,62 @@
+"""The record of a sweep: how the results keep to their tolerances over a region of the given data."""
+
+import math
+from dataclasses import dataclass
+
+from vmharness.studies.maker import Maker
+
+
+@dataclass(frozen=True)
+class Worst:
+    """Where a result uses most of its tolerance."""
+
+    key: str
+    label: str
+    share: float | None  # of its tolerance; None where there is no value
+    error: float | None  # (value - target)/target
+    at: dict[str, float]  # the data, each in its unit
+    failed: int  # points at which it is out of tolerance
+
+
+@dataclass(frozen=True)
+class Failing:
+    """A point that fails, the simpler one that it was shrunk to, and how to run that."""
+
+    at: dict[str, float]
+    simpler: dict[str, float]
+    why: str
+    again: str
+
+
+@dataclass(frozen=True)
+class Swept:
+    """All that `vm sweep` finds out about a case."""
+
+    case: str
+    case_sha256: str  # of its inputs
+    how: str  # "Latin hypercube of 200 points, seed 0"
+    ranges: dict[str, tuple[float, float]]  # in the unit of each datum
+    units: dict[str, str]
+    within: list[str]  # constraints, as sentences
+    data: dict[str, list[float]]  # by name: of every point
+    shares: dict[str, list[float | None]]  # by key of the result: at every point
+    results: list[Worst]
+    unjudged: dict[int, str]  # number of the point: why it could not be judged
+    failing: Failing | None  # the worst of them
+    made_by: Maker | None = None  # None in records of before it was kept
+
+    @property
+    def points(self) -> int:
+        """How many there are."""
+        return len(next(iter(self.data.values())))
+
+    @property
+    def failed(self) -> list[int]:
+        """Numbers of the points at which a result is out of tolerance."""
+        return [i for i in range(self.points) if i not in self.unjudged and not worst_share(self, i) <= 1.0]
+
+
+def worst_share(found: Swept, i: int) -> float:
+    """The largest share of a tolerance at the point `i`; infinite where a result has no value."""
+    shares = [shares[i] for shares in found.shares.values()]
+    return max(math.inf if share is None else share for share in shares)
