@@ -5,7 +5,6 @@ from pathlib import Path
 
 import numpy as np
 
-from vmharness.backends.builtin import FOLDERS
 from vmharness.deck import Deck, read, vocabulary
 from vmharness.explicit.build import build
 from vmharness.explicit.model.model import Model
@@ -68,7 +67,7 @@ def deck(text: str) -> Deck:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "deck.k"
         path.write_text(f"{HEAD}{text}\n*END\n")
-        return read(path, vocabulary(*FOLDERS))
+        return read(path, vocabulary())
 
 
 def moving(text: str) -> Model:

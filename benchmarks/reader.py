@@ -10,7 +10,6 @@ from pathlib import Path
 from elements import ELASTIC
 from meshes import HEAD, sheet
 
-from vmharness.backends.builtin import FOLDERS
 from vmharness.deck import read, vocabulary
 
 RUN = """
@@ -21,7 +20,7 @@ builtin.solve(vmharness.case.read(pathlib.Path(sys.argv[1])))
 
 def reading(side: int = 316) -> float:
     """Seconds to read a deck of side x side shells in fixed format, the best of three."""
-    known, taken = vocabulary(*FOLDERS), []
+    known, taken = vocabulary(), []
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "deck.k"
         path.write_text(f"{HEAD}{sheet(ELASTIC, side)}\n*END\n")

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from vmharness.deck import Deck, DeckError, vocabulary
-from vmharness.deck.keywords.define_curve import points
+from vmharness.deck.keywords.define.curve import points
 
 Read = Callable[..., Deck]
 

@@ -5,7 +5,6 @@ from pathlib import Path
 
 import pytest
 
-from vmharness.backends.builtin import FOLDERS
 from vmharness.deck import Deck, read, vocabulary
 from vmharness.explicit.build import build
 from vmharness.explicit.model.model import Model
@@ -44,7 +43,7 @@ def deck(tmp_path: Path) -> Callable[[str], Deck]:
     def from_text(text: str) -> Deck:
         path = tmp_path / "deck.k"
         path.write_text(text)
-        return read(path, vocabulary(*FOLDERS))
+        return read(path, vocabulary())
 
     return from_text
 

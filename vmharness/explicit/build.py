@@ -4,8 +4,8 @@ import numpy as np
 
 from vmharness import plugins
 from vmharness.deck import Deck, DeckError
-from vmharness.deck.keywords.control_termination import CONTROL_TERMINATION
-from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
+from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
+from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.deck.keywords.node import NODE
 from vmharness.explicit.constraints import prescribed_motion, prescribed_motion_rigid, spc
 from vmharness.explicit.contact import control_contact

@@ -6,8 +6,8 @@ from dataclasses import replace
 from vmharness.backends.builtin import read_deck
 from vmharness.case import Case
 from vmharness.deck import Deck, Entry, write_long
-from vmharness.deck.keywords.control_contact import CONTROL_CONTACT
-from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
+from vmharness.deck.keywords.control.contact import CONTROL_CONTACT
+from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 
 
 def with_entries(case: Case, change: Callable[[Deck], Iterable[Entry]]) -> Case:

@@ -26,9 +26,6 @@ from vmharness.result import Solution
 SOLVER = f"vmharness {__version__}"
 Array = NDArray[np.float64]
 
-FOLDERS = ("vmharness.deck.keywords", *(f"vmharness.explicit.{room}" for room in (
-    "materials", "contact.kinds", "loads", "initial", "constraints", "damping", "walls", "rigid",
-)))  # fmt: skip
 PROGRESS_EVERY = 1000  # cycles
 
 
@@ -36,7 +33,7 @@ def read_deck(case: Case) -> Deck:
     """The case's deck, with its parameters replaced where the data were changed, or the one set in its place."""
     return read(
         case.folder / case.deck_name,
-        vocabulary(*FOLDERS),
+        vocabulary(),
         parameters=case.deck_parameters(),
         include_outside=case.file.deck.include_outside,
         text=case.deck_source(),

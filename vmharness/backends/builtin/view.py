@@ -4,8 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Keyword
-from vmharness.deck.keywords.element_beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
-from vmharness.deck.keywords.element_solid import ELEMENT_SOLID
+from vmharness.deck.keywords.element.beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
+from vmharness.deck.keywords.element.solid import ELEMENT_SOLID
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.constraints.spc import Supports
 from vmharness.explicit.contact.contact import Contact

@@ -16,10 +16,9 @@ def command(words: tuple[str, ...]) -> int:
     With WORDs, only keywords whose names contain one of them are listed, with their cards. A card shows each field
     in capitals, with its default and, where not all values are supported, those that are.
     """
-    from vmharness.backends.builtin import FOLDERS
     from vmharness.deck import vocabulary
 
-    known = {keyword.name: keyword for keyword in vocabulary(*FOLDERS).values()}
+    known = {keyword.name: keyword for keyword in vocabulary().values()}
     wanted = [word.upper().lstrip("*") for word in words]
     found = [known[name] for name in sorted(known) if not words or any(word in name for word in wanted)]
     if not found:

@@ -28,13 +28,13 @@ def command(path: Path, csv: Path | None) -> int:
     The file has all energies, and the motion of the nodes of *DATABASE_HISTORY_NODE, at the interval of
     *DATABASE_NODOUT or _GLSTAT, else at 1000 instants.
     """
-    from vmharness.backends.builtin import FOLDERS, record
+    from vmharness.backends.builtin import record
     from vmharness.deck import DeckError, read, vocabulary
     from vmharness.explicit.build import build
     from vmharness.explicit.probe import ProbeError
 
     try:
-        deck = read(path, vocabulary(*FOLDERS))
+        deck = read(path, vocabulary())
         model = build(deck)
         probes = _probes(deck, model)
     except (DeckError, ProbeError) as error:

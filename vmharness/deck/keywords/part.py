@@ -4,7 +4,7 @@ from vmharness.deck.card import Card
 from vmharness.deck.entry import Entry
 from vmharness.deck.field import integer, only, text
 from vmharness.deck.keyword import Keyword
-from vmharness.deck.keywords.inertia import CENTRE, LOCAL, TENSOR, VELOCITY
+from vmharness.deck.keywords._inertia import CENTRE, LOCAL, TENSOR, VELOCITY
 
 
 def has_inertia(entry: Entry) -> bool:

@@ -17,39 +17,21 @@ which is 1/2 (r_n + r_{n+1}) dt v_{n+1/2} to second order, and balances at impul
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.deck import Card, Deck, Entry, Keyword
-from vmharness.deck.field import Field, integer, only, real
+from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.boundary.prescribed_motion import (
+    BOUNDARY_PRESCRIBED_MOTION_NODE,
+    BOUNDARY_PRESCRIBED_MOTION_SET,
+)
 from vmharness.explicit.constraints.spc import supported
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
-from vmharness.explicit.model.dof import DOF, place
+from vmharness.explicit.model.dof import place
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import node_set
 from vmharness.explicit.model.state import Array, State
 
 Index = NDArray[np.intp]
 
-MOTION: dict[str, Field] = {
-    "dof": DOF,
-    "vad": integer(0, choices=(0, 1, 2)),
-    "lcid": integer(above=0),
-    "sf": real(1.0, zero_is_default=True),
-    "vid": only(0),
-    "death": real(1e28, zero_is_default=True, above=0.0),
-    "birth": real(0.0, at_least=0.0),
-}
-BOUNDARY_PRESCRIBED_MOTION_NODE = Keyword(
-    "BOUNDARY_PRESCRIBED_MOTION_NODE",
-    Card({"nid": integer(above=0), **MOTION}),
-    options=("ID",),
-    repeat=True,
-)
-BOUNDARY_PRESCRIBED_MOTION_SET = Keyword(
-    "BOUNDARY_PRESCRIBED_MOTION_SET",
-    Card({"nsid": integer(above=0), **MOTION}),
-    options=("ID",),
-    repeat=True,
-)
 KEYWORDS = (BOUNDARY_PRESCRIBED_MOTION_NODE, BOUNDARY_PRESCRIBED_MOTION_SET)
 
 VELOCITY, ACCELERATION, DISPLACEMENT = 0, 1, 2  # VAD

@@ -8,21 +8,13 @@ drives a rotation does so from the beginning to the end of the run. Its moment i
 
 import numpy as np
 
-from vmharness.deck import Card, Deck, Keyword
-from vmharness.deck.field import integer
+from vmharness.deck import Deck
+from vmharness.deck.keywords.boundary.prescribed_motion_rigid import BOUNDARY_PRESCRIBED_MOTION_RIGID
 from vmharness.explicit.constraints import prescribed_motion
-from vmharness.explicit.constraints.prescribed_motion import MOTION
 from vmharness.explicit.model.dof import place
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.rigid.members import held_by_cmo
 from vmharness.explicit.rigid.numbers import definitions, lead_number
-
-BOUNDARY_PRESCRIBED_MOTION_RIGID = Keyword(
-    "BOUNDARY_PRESCRIBED_MOTION_RIGID",
-    Card({"pid": integer(above=0), **MOTION}),
-    options=("ID",),
-    repeat=True,
-)
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -3,30 +3,14 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.deck import Card, Deck, Entry, Keyword
-from vmharness.deck.field import integer, only
+from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.boundary.spc import BOUNDARY_SPC_NODE, BOUNDARY_SPC_SET, DOFS
 from vmharness.deck.keywords.node import NODE
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.dof import coded
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import node_set
 from vmharness.explicit.model.state import Array, State
-
-DOFS = ("dofx", "dofy", "dofz", "dofrx", "dofry", "dofrz")
-FLAGS = {dof: integer(0, choices=(0, 1)) for dof in DOFS}
-
-BOUNDARY_SPC_NODE = Keyword(
-    "BOUNDARY_SPC_NODE",
-    Card({"nid": integer(above=0), "cid": only(0), **FLAGS}),
-    options=("ID",),
-    repeat=True,
-)
-BOUNDARY_SPC_SET = Keyword(
-    "BOUNDARY_SPC_SET",
-    Card({"nsid": integer(above=0), "cid": only(0), **FLAGS}),
-    options=("ID",),
-    repeat=True,
-)
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from vmharness.deck import Deck
-from vmharness.deck.keywords.control_contact import CONTROL_CONTACT
+from vmharness.deck.keywords.control.contact import CONTROL_CONTACT
 
 
 def control_of(deck: Deck) -> Mapping[str, Any]:

@@ -16,8 +16,8 @@ ones.
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.deck import Card, Deck, DeckError, Entry, Keyword
-from vmharness.deck.field import Field, integer, only, real
+from vmharness.deck import Deck, DeckError, Entry
+from vmharness.deck.keywords.damping import DAMPING_GLOBAL, DAMPING_PART_MASS, FACTORS
 from vmharness.deck.keywords.part import PART
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.kernels.compiled import kernel
@@ -28,28 +28,6 @@ from vmharness.explicit.model.state import Array, State
 
 Index = NDArray[np.intp]
 Term = tuple[Index, Array, Curve]  # nodes (m,), S (6,), D(t)
-
-FACTORS: dict[str, Field] = {name: real(0.0) for name in ("stx", "sty", "stz", "srx", "sry", "srz")}
-
-DAMPING_GLOBAL = Keyword(
-    "DAMPING_GLOBAL",
-    Card({"lcid": integer(0, at_least=0), "valdmp": real(0.0, at_least=0.0), **FACTORS}),
-    single=True,
-)
-DAMPING_PART_MASS = Keyword(
-    "DAMPING_PART_MASS",
-    Card(
-        pid=integer(above=0),
-        lcid=integer(above=0),
-        sf=real(1.0, zero_is_default=True),
-        flag=integer(0, choices=(0, 1)),
-        struc=only(0),
-    ),
-    Card(FACTORS, when=lambda entry: entry.flag == 1),
-    repeat=True,
-    unique="pid",
-    kind="damped part",
-)
 
 
 def build(deck: Deck, model: Model) -> None:

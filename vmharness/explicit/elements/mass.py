@@ -1,7 +1,7 @@
 """*ELEMENT_MASS: a mass lumped on a node, without rotary inertia; it feels body loads."""
 
 from vmharness.deck import Deck
-from vmharness.deck.keywords.element_mass import ELEMENT_MASS
+from vmharness.deck.keywords.element.mass import ELEMENT_MASS
 from vmharness.explicit.model.model import Model
 
 NAME = "lumped mass"

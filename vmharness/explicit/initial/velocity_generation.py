@@ -9,10 +9,10 @@ what it numbers: 1 a part set, 2 a part, 3 a node set. Where two cards meet the 
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.deck import Card, Deck, Entry, Keyword
-from vmharness.deck.field import integer, only, real
+from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.initial.velocity import INITIAL_VELOCITY, INITIAL_VELOCITY_NODE
+from vmharness.deck.keywords.initial.velocity_generation import INITIAL_VELOCITY_GENERATION
 from vmharness.deck.keywords.part import PART
-from vmharness.explicit.initial.velocity import INITIAL_VELOCITY, INITIAL_VELOCITY_NODE
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import node_set, nodes_of_parts, part_set
 from vmharness.explicit.model.state import Array
@@ -20,31 +20,6 @@ from vmharness.explicit.model.state import Array
 Index = NDArray[np.intp]
 
 PART_SET, NODE_SET = 1, 3  # STYP
-
-INITIAL_VELOCITY_GENERATION = Keyword(
-    "INITIAL_VELOCITY_GENERATION",
-    Card(
-        id=integer(at_least=0),
-        styp=integer(1, choices=(1, 2, 3)),
-        omega=real(0.0),
-        vx=real(0.0),
-        vy=real(0.0),
-        vz=real(0.0),
-        ivatn=only(0),
-        icid=only(0),
-    ),
-    Card(
-        xc=real(0.0),
-        yc=real(0.0),
-        zc=real(0.0),
-        nx=real(0.0),
-        ny=real(0.0),
-        nz=real(0.0),
-        phase=only(0),
-        irigid=only(0),
-    ),
-    repeat=True,
-)
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from vmharness.deck import Deck
-from vmharness.deck.keywords.control_parallel import CONTROL_PARALLEL
+from vmharness.deck.keywords.control.parallel import CONTROL_PARALLEL
 from vmharness.explicit.force import Elements, Force
 from vmharness.explicit.kernels.compiled import concurrent
 from vmharness.explicit.model.state import Array, State

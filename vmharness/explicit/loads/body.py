@@ -13,8 +13,16 @@ part of it: it is for a body at rest in the turning base, and a curve of omega t
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.deck import Card, Deck, Keyword
-from vmharness.deck.field import Field, integer, only, real
+from vmharness.deck import Deck
+from vmharness.deck.keywords.load.body import (
+    LOAD_BODY_PARTS,
+    LOAD_BODY_RX,
+    LOAD_BODY_RY,
+    LOAD_BODY_RZ,
+    LOAD_BODY_X,
+    LOAD_BODY_Y,
+    LOAD_BODY_Z,
+)
 from vmharness.deck.keywords.part import PART
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
@@ -25,21 +33,6 @@ from vmharness.explicit.model.state import Array, State
 NAME = "body load"
 
 Index = NDArray[np.intp]
-
-
-def _keyword(axis: str, **centre: Field) -> Keyword:
-    sf = real(1.0, zero_is_default=True)
-    card = Card({"lcid": integer(above=0), "sf": sf, "lciddr": only(0), **centre, "cid": only(0)})
-    return Keyword(f"LOAD_BODY_{axis}", card)
-
-
-LOAD_BODY_X, LOAD_BODY_Y, LOAD_BODY_Z = (
-    _keyword(axis, xc=only(0.0), yc=only(0.0), zc=only(0.0)) for axis in "XYZ"
-)
-LOAD_BODY_RX, LOAD_BODY_RY, LOAD_BODY_RZ = (
-    _keyword(f"R{axis}", xc=real(0.0), yc=real(0.0), zc=real(0.0)) for axis in "XYZ"
-)
-LOAD_BODY_PARTS = Keyword("LOAD_BODY_PARTS", Card(psid=integer(above=0)), single=True)
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -8,11 +8,11 @@ Every node of a set takes the whole of it. Directions are those of the global ax
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.deck import Card, Deck, Entry, Keyword
-from vmharness.deck.field import Field, integer, only, real
+from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.load.node import LOAD_NODE_POINT, LOAD_NODE_SET
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
-from vmharness.explicit.model.dof import DOF, place
+from vmharness.explicit.model.dof import place
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import node_set
 from vmharness.explicit.model.state import Array, State
@@ -20,18 +20,6 @@ from vmharness.explicit.model.state import Array, State
 NAME = "nodal load"
 
 Index = NDArray[np.intp]
-
-LOAD: dict[str, Field] = {
-    "dof": DOF,
-    "lcid": integer(above=0),
-    "sf": real(1.0, zero_is_default=True),
-    "cid": only(0),
-    "m1": only(0),
-    "m2": only(0),
-    "m3": only(0),
-}
-LOAD_NODE_POINT = Keyword("LOAD_NODE_POINT", Card({"nid": integer(above=0), **LOAD}), repeat=True)
-LOAD_NODE_SET = Keyword("LOAD_NODE_SET", Card({"nsid": integer(above=0), **LOAD}), repeat=True)
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -2,17 +2,15 @@
 
 import numpy as np
 
-from vmharness.deck import Card, Deck, Entry, Keyword
-from vmharness.deck.field import integer
-from vmharness.explicit.loads.node import LOAD, NodalLoad
+from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.load.rigid_body import LOAD_RIGID_BODY
+from vmharness.explicit.loads.node import NodalLoad
 from vmharness.explicit.model.curve import time_curve
 from vmharness.explicit.model.dof import place
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.rigid.numbers import lead_number
 
 NAME = "load on a rigid body"
-
-LOAD_RIGID_BODY = Keyword("LOAD_RIGID_BODY", Card({"pid": integer(above=0), **LOAD}), repeat=True)
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -15,9 +15,9 @@ A triangle repeats its third node: each of the three takes a third of its area v
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.deck import Card, Deck, Entry, Keyword
-from vmharness.deck.field import integer, only, real
-from vmharness.deck.keywords.set_segment import SET_SEGMENT
+from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.load.segment import CORNERS, LOAD_SEGMENT, LOAD_SEGMENT_SET
+from vmharness.deck.keywords.set.segment import SET_SEGMENT
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.vector import Vector, add, cross, scale, subtract
 from vmharness.explicit.model.curve import Curve, time_curve
@@ -27,19 +27,6 @@ from vmharness.explicit.model.state import Array, State
 NAME = "pressure on segments"
 
 Index = NDArray[np.intp]
-
-CORNERS = ("n1", "n2", "n3", "n4")
-PRESSURE = {"lcid": integer(above=0), "sf": real(1.0, zero_is_default=True), "at": real(0.0, at_least=0.0)}
-
-LOAD_SEGMENT = Keyword(
-    "LOAD_SEGMENT",
-    Card({**PRESSURE, **dict.fromkeys(CORNERS, integer(above=0)), "n5": only(0)}),
-    options=("ID",),
-    repeat=True,
-)
-LOAD_SEGMENT_SET = Keyword(
-    "LOAD_SEGMENT_SET", Card({"ssid": integer(above=0), **PRESSURE}), options=("ID",), repeat=True
-)
 
 
 def build(deck: Deck, model: Model) -> None:

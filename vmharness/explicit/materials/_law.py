@@ -22,7 +22,7 @@ FOLDER = "vmharness.explicit.materials"
 @cache
 def laws() -> dict[Keyword, ModuleType]:
     """The modules of the folder by their cards: listed once, however many parts ask."""
-    return {module.KEYWORD: module for module in plugins.modules(FOLDER)}
+    return {module.KEYWORD: module for module in plugins.modules(FOLDER, "KEYWORD", "HISTORY", "constants")}
 
 
 def material_of(deck: Deck, part: Entry) -> Entry:

@@ -3,20 +3,13 @@
 The rate is half a step old, as in the linear dashpot: the motion is accurate to the first order in dt.
 """
 
-from vmharness.deck import Card, Deck, Entry, Keyword, integer
+from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.mat.damper_nonlinear_viscous import MAT_DAMPER_NONLINEAR_VISCOUS
 from vmharness.explicit.kernels.vector import inlined
 from vmharness.explicit.model.characteristic import Characteristic, characteristic, ordinate, steepest
 from vmharness.explicit.model.state import Array
 
-KEYWORD = Keyword(
-    "MAT_DAMPER_NONLINEAR_VISCOUS",
-    Card(mid=integer(above=0), lcdr=integer(above=0)),
-    aliases=("MAT_S05",),
-    options=("TITLE",),
-    repeat=True,
-    unique="mid",
-    kind="material",
-)
+KEYWORD = MAT_DAMPER_NONLINEAR_VISCOUS
 
 HISTORY = {"spring": 0}
 

@@ -4,19 +4,12 @@ The rate is that of the step that has led to t_n, half a step old: f_n = C ddot_
 accurate to the first order in dt only, with an error of about C dt/(2 m) of the damped part.
 """
 
-from vmharness.deck import Card, Deck, Entry, Keyword, integer, real
+from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.mat.damper_viscous import MAT_DAMPER_VISCOUS
 from vmharness.explicit.kernels.vector import inlined
 from vmharness.explicit.model.state import Array
 
-KEYWORD = Keyword(
-    "MAT_DAMPER_VISCOUS",
-    Card(mid=integer(above=0), dc=real(at_least=0.0)),
-    aliases=("MAT_S02",),
-    options=("TITLE",),
-    repeat=True,
-    unique="mid",
-    kind="material",
-)
+KEYWORD = MAT_DAMPER_VISCOUS
 
 HISTORY = {"spring": 0}
 

@@ -22,29 +22,12 @@ A law for uniaxial stress (bars) takes the increment of the axial strain and ret
     law(constants, dt, deps, s, history, at, stride) -> s
 """
 
-from vmharness.deck import Card, Deck, Entry, Keyword, integer, only, real, skip
+from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.mat.elastic import MAT_ELASTIC
 from vmharness.explicit.kernels.vector import inlined
 from vmharness.explicit.model.state import Array
 
-KEYWORD = Keyword(
-    "MAT_ELASTIC",
-    Card(
-        mid=integer(above=0),
-        ro=real(above=0.0),
-        e=real(above=0.0),
-        pr=real(0.0),
-        da=only(0.0),
-        db=only(0.0),
-        _7=skip(),
-        _8=skip(),
-    ),
-    aliases=("MAT_001",),
-    options=("TITLE",),
-    repeat=True,
-    unique="mid",
-    kind="material",
-)
-
+KEYWORD = MAT_ELASTIC
 HISTORY = {"plane_stress": 0, "solid": 0, "uniaxial": 0}
 
 

@@ -13,8 +13,9 @@ The laws are those of explicit/plasticity. Source: Hallquist, LS-DYNA Theory Man
 
 import numpy as np
 
-from vmharness.deck import Card, Deck, Entry, Keyword, integer, only, real, skip
-from vmharness.deck.keywords.define_curve import DEFINE_CURVE, points
+from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.define.curve import DEFINE_CURVE, points
+from vmharness.deck.keywords.mat.piecewise_linear_plasticity import EPS, ES, MAT_PIECEWISE_LINEAR_PLASTICITY
 from vmharness.explicit.materials._plasticity.piecewise_linear import Curve, curve, line
 from vmharness.explicit.materials._plasticity.plane_stress import plane_stress
 from vmharness.explicit.materials._plasticity.rate import Rate, cowper_symonds
@@ -25,38 +26,8 @@ from vmharness.explicit.model.state import Array
 
 __all__ = ["CHANNELS", "HISTORY", "KEYWORD", "constants", "plane_stress", "solid", "uniaxial"]
 
-EPS = tuple(f"eps{i}" for i in range(1, 9))
-ES = tuple(f"es{i}" for i in range(1, 9))
 
-KEYWORD = Keyword(
-    "MAT_PIECEWISE_LINEAR_PLASTICITY",
-    Card(
-        mid=integer(above=0),
-        ro=real(above=0.0),
-        e=real(above=0.0),
-        pr=real(0.0),
-        sigy=real(0.0, at_least=0.0),
-        etan=real(0.0, at_least=0.0),
-        fail=real(1e21, choices=(0.0, 1e20, 1e21)),
-        tdel=only(0.0),
-    ),
-    Card(
-        c=real(0.0, at_least=0.0),
-        p=real(0.0, at_least=0.0),
-        lcss=integer(0, at_least=0),
-        lcsr=integer(0, at_least=0),
-        vp=real(0.0, choices=(0.0, 1.0)),
-        _6=skip(),
-        rfiltf=only(0.0),
-    ),
-    Card({name: real(0.0, at_least=0.0) for name in EPS}),
-    Card({name: real(0.0, at_least=0.0) for name in ES}),
-    aliases=("MAT_024",),
-    options=("TITLE",),
-    repeat=True,
-    unique="mid",
-    kind="material",
-)
+KEYWORD = MAT_PIECEWISE_LINEAR_PLASTICITY
 
 HISTORY = {"plane_stress": 1, "solid": 1, "uniaxial": 1}
 CHANNELS = {"plastic-strain": 0}

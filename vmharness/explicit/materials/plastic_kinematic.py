@@ -10,7 +10,8 @@ Source: R. D. Krieg, S. W. Key, Implementation of a time dependent plasticity th
 (1976); Hallquist, LS-DYNA Theory Manual, material model 3.
 """
 
-from vmharness.deck import Card, Deck, Entry, Keyword, integer, only, real
+from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.mat.plastic_kinematic import MAT_PLASTIC_KINEMATIC
 from vmharness.explicit.materials._plasticity.piecewise_linear import Curve, line
 from vmharness.explicit.materials._plasticity.plane_stress import plane_stress
 from vmharness.explicit.materials._plasticity.rate import Rate, cowper_symonds
@@ -20,29 +21,8 @@ from vmharness.explicit.materials.elastic import constants as elastic_constants
 
 __all__ = ["CHANNELS", "HISTORY", "KEYWORD", "constants", "plane_stress", "solid", "uniaxial"]
 
-KEYWORD = Keyword(
-    "MAT_PLASTIC_KINEMATIC",
-    Card(
-        mid=integer(above=0),
-        ro=real(above=0.0),
-        e=real(above=0.0),
-        pr=real(0.0),
-        sigy=real(above=0.0),
-        etan=real(0.0, at_least=0.0),
-        beta=real(0.0, at_least=0.0),
-    ),
-    Card(
-        src=real(0.0, at_least=0.0),
-        srp=real(0.0, at_least=0.0),
-        fs=only(0.0),
-        vp=real(0.0, choices=(0.0, 1.0)),
-    ),
-    aliases=("MAT_003",),
-    options=("TITLE",),
-    repeat=True,
-    unique="mid",
-    kind="material",
-)
+
+KEYWORD = MAT_PLASTIC_KINEMATIC
 
 HISTORY = {"plane_stress": 6, "solid": 7, "uniaxial": 2}  # p, and the back stress
 CHANNELS = {"plastic-strain": 0}

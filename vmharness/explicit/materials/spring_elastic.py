@@ -10,19 +10,12 @@ the tuple that the material makes once; the k-th history variable is `history[at
 largest stiffness and the largest damping coefficient that the law can show, from which the stable step follows.
 """
 
-from vmharness.deck import Card, Deck, Entry, Keyword, integer, real
+from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.mat.spring_elastic import MAT_SPRING_ELASTIC
 from vmharness.explicit.kernels.vector import inlined
 from vmharness.explicit.model.state import Array
 
-KEYWORD = Keyword(
-    "MAT_SPRING_ELASTIC",
-    Card(mid=integer(above=0), k=real(at_least=0.0)),
-    aliases=("MAT_S01",),
-    options=("TITLE",),
-    repeat=True,
-    unique="mid",
-    kind="material",
-)
+KEYWORD = MAT_SPRING_ELASTIC
 
 HISTORY = {"spring": 0}
 

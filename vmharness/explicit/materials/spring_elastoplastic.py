@@ -8,19 +8,12 @@ A force K (d - d_p) beyond the yield force is returned to it by the plastic elon
 its direction: exact for any size of step, since the path of a spring has no other direction.
 """
 
-from vmharness.deck import Card, Deck, Entry, Keyword, integer, real
+from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.mat.spring_elastoplastic import MAT_SPRING_ELASTOPLASTIC
 from vmharness.explicit.kernels.vector import inlined
 from vmharness.explicit.model.state import Array
 
-KEYWORD = Keyword(
-    "MAT_SPRING_ELASTOPLASTIC",
-    Card(mid=integer(above=0), k=real(above=0.0), kt=real(0.0, at_least=0.0), fy=real(above=0.0)),
-    aliases=("MAT_S03",),
-    options=("TITLE",),
-    repeat=True,
-    unique="mid",
-    kind="material",
-)
+KEYWORD = MAT_SPRING_ELASTOPLASTIC
 
 HISTORY = {"spring": 2}  # d_p, p
 

@@ -4,20 +4,13 @@ LCR is refused: it is said to be a factor of the force over the rate and to pass
 rest would bear nothing; how LS-DYNA means it is not established.
 """
 
-from vmharness.deck import Card, Deck, Entry, Keyword, integer, only
+from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.mat.spring_nonlinear_elastic import MAT_SPRING_NONLINEAR_ELASTIC
 from vmharness.explicit.kernels.vector import inlined
 from vmharness.explicit.model.characteristic import Characteristic, characteristic, ordinate, steepest
 from vmharness.explicit.model.state import Array
 
-KEYWORD = Keyword(
-    "MAT_SPRING_NONLINEAR_ELASTIC",
-    Card(mid=integer(above=0), lcd=integer(above=0), lcr=only(0)),
-    aliases=("MAT_S04",),
-    options=("TITLE",),
-    repeat=True,
-    unique="mid",
-    kind="material",
-)
+KEYWORD = MAT_SPRING_NONLINEAR_ELASTIC
 
 HISTORY = {"spring": 0}
 

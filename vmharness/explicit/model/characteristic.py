@@ -6,7 +6,7 @@ Beyond its ends it goes on with the slope of its last segment, as LS-DYNA extrap
 import numpy as np
 
 from vmharness.deck import Deck, Entry
-from vmharness.deck.keywords.define_curve import DEFINE_CURVE, points
+from vmharness.deck.keywords.define.curve import DEFINE_CURVE, points
 from vmharness.explicit.kernels.vector import inlined
 from vmharness.explicit.model.state import Array
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from vmharness.deck import Deck, Entry
-from vmharness.deck.keywords.define_curve import DEFINE_CURVE, points
+from vmharness.deck.keywords.define.curve import DEFINE_CURVE, points
 from vmharness.explicit.model.state import Array
 
 

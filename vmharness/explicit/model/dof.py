@@ -1,10 +1,8 @@
 """Degrees of freedom as loads and prescribed motions number them: DOF."""
 
 from vmharness.deck import Entry
-from vmharness.deck.field import integer
 
 CODES = ("", "x", "y", "z", "xy", "yz", "zx", "xyz")
-DOF = integer(choices=(1, 2, 3, 5, 6, 7))  # along x, y, z; about x, y, z
 
 
 def place(entry: Entry) -> int:

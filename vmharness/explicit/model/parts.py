@@ -7,10 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry, Keyword
+from vmharness.deck.keywords.mat.rigid import MAT_RIGID
 from vmharness.deck.keywords.part import PART
 from vmharness.explicit.kernels.threads import shares
 from vmharness.explicit.materials._law import material_of
-from vmharness.explicit.materials.rigid import KEYWORD as MAT_RIGID
 from vmharness.explicit.model.model import Model
 
 Index = NDArray[np.intp]

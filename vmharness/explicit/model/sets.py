@@ -4,8 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
-from vmharness.deck.keywords.set_node import SET_NODE_GENERAL, SET_NODE_LIST, SET_NODE_LIST_GENERATE
-from vmharness.deck.keywords.set_part import SET_PART_LIST
+from vmharness.deck.keywords.set.node import SET_NODE_GENERAL, SET_NODE_LIST, SET_NODE_LIST_GENERATE
+from vmharness.deck.keywords.set.part import SET_PART_LIST
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.rigid.numbers import numbers
 

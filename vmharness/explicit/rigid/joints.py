@@ -4,10 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
-from vmharness.deck.keywords.constrained_joint import (
-    CONSTRAINED_JOINT_REVOLUTE,
-    CONSTRAINED_JOINT_SPHERICAL,
-)
+from vmharness.deck.keywords.constrained.joint import CONSTRAINED_JOINT_REVOLUTE, CONSTRAINED_JOINT_SPHERICAL
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Array
 from vmharness.explicit.rigid.joint import Joints, Pair

@@ -6,14 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
-from vmharness.deck.keywords.constrained_extra_nodes import (
+from vmharness.deck.keywords.constrained.extra_nodes import (
     CONSTRAINED_EXTRA_NODES_NODE,
     CONSTRAINED_EXTRA_NODES_SET,
 )
-from vmharness.deck.keywords.constrained_nodal_rigid_body import CONSTRAINED_NODAL_RIGID_BODY_INERTIA
-from vmharness.deck.keywords.constrained_rigid_bodies import CONSTRAINED_RIGID_BODIES
+from vmharness.deck.keywords.constrained.nodal_rigid_body import CONSTRAINED_NODAL_RIGID_BODY_INERTIA
+from vmharness.deck.keywords.constrained.rigid_bodies import CONSTRAINED_RIGID_BODIES
+from vmharness.deck.keywords.mat.rigid import MAT_RIGID
 from vmharness.deck.keywords.part import PART, has_inertia
-from vmharness.explicit.materials.rigid import KEYWORD as MAT_RIGID
 from vmharness.explicit.model.dof import coded
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import node_set, nodes_of_parts

@@ -1,13 +1,13 @@
 """The numbers of a deck's rigid bodies: PID of rigid parts and of nodal rigid bodies."""
 
 from vmharness.deck import Deck, Entry
-from vmharness.deck.keywords.constrained_nodal_rigid_body import (
+from vmharness.deck.keywords.constrained.nodal_rigid_body import (
     CONSTRAINED_NODAL_RIGID_BODY,
     CONSTRAINED_NODAL_RIGID_BODY_INERTIA,
 )
-from vmharness.deck.keywords.constrained_rigid_bodies import CONSTRAINED_RIGID_BODIES
+from vmharness.deck.keywords.constrained.rigid_bodies import CONSTRAINED_RIGID_BODIES
+from vmharness.deck.keywords.mat.rigid import MAT_RIGID
 from vmharness.deck.keywords.part import PART
-from vmharness.explicit.materials.rigid import KEYWORD as MAT_RIGID
 
 
 def definitions(deck: Deck) -> list[Entry]:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from vmharness.deck import Deck
-from vmharness.deck.keywords.initial_velocity_rigid_body import INITIAL_VELOCITY_RIGID_BODY
+from vmharness.deck.keywords.initial.velocity_rigid_body import INITIAL_VELOCITY_RIGID_BODY
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Array
 from vmharness.explicit.rigid.inertia import Inertia

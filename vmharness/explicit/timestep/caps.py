@@ -8,7 +8,7 @@ They shorten the step that the elements allow, TSSFAC included, and never length
 import math
 
 from vmharness.deck import Deck
-from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
+from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.explicit.model.curve import time_curve
 from vmharness.explicit.model.model import Model
 

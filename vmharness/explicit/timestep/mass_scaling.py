@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
-from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
+from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.force import Elements, Scalable
 from vmharness.explicit.model.model import Model

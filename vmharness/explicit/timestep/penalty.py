@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from vmharness.deck import Deck
-from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
+from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.explicit.contact.contact import Contact
 from vmharness.explicit.contact.stable_step import longest_step
 from vmharness.explicit.force import Elements, Scalable

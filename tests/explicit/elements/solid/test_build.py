@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from vmharness.backends.builtin import FOLDERS
 from vmharness.deck import DeckError, read, vocabulary, write_long
 from vmharness.explicit.build import build
 from vmharness.explicit.elements.solid._solids import Hexahedra
@@ -51,7 +50,7 @@ def test_forms_of_the_card(deck, tmp_path, elements, elform):
     first = deck(text(elements, elform))
     path = tmp_path / "again.k"
     path.write_text(write_long(first))
-    for one in (first, read(path, vocabulary(*FOLDERS))):
+    for one in (first, read(path, vocabulary())):
         model = build(one)
         (block,) = model.forces
         assert isinstance(block, Hexahedra)

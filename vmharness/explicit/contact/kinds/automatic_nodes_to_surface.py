@@ -5,13 +5,13 @@ with a mass alone has no thickness. Solids are touched from outside, at their fa
 """
 
 from vmharness.deck import Deck
+from vmharness.deck.keywords.contact import (
+    CONTACT_AUTOMATIC_NODES_TO_SURFACE,
+)
 from vmharness.explicit.contact.build import add_contacts
-from vmharness.explicit.contact.cards import NODES, SEGMENTS, contact_keyword
 from vmharness.explicit.model.model import Model
 
 NAME = "automatic nodes to surface"
-
-CONTACT_AUTOMATIC_NODES_TO_SURFACE = contact_keyword("CONTACT_AUTOMATIC_NODES_TO_SURFACE", NODES, SEGMENTS)
 
 
 def build(deck: Deck, model: Model) -> None:

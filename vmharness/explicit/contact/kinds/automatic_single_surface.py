@@ -6,13 +6,11 @@ shell (SSTHK = 0).
 """
 
 from vmharness.deck import Deck
+from vmharness.deck.keywords.contact import CONTACT_AUTOMATIC_SINGLE_SURFACE
 from vmharness.explicit.contact.build import add_contacts
-from vmharness.explicit.contact.cards import SEGMENTS, contact_keyword
 from vmharness.explicit.model.model import Model
 
 NAME = "automatic single surface"
-
-CONTACT_AUTOMATIC_SINGLE_SURFACE = contact_keyword("CONTACT_AUTOMATIC_SINGLE_SURFACE", SEGMENTS, (0,))
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -4,15 +4,11 @@ Two-way; see penalty/contact.py for how the two passes share the force, and auto
 """
 
 from vmharness.deck import Deck
+from vmharness.deck.keywords.contact import CONTACT_AUTOMATIC_SURFACE_TO_SURFACE
 from vmharness.explicit.contact.build import add_contacts
-from vmharness.explicit.contact.cards import SEGMENTS, contact_keyword
 from vmharness.explicit.model.model import Model
 
 NAME = "automatic surface to surface"
-
-CONTACT_AUTOMATIC_SURFACE_TO_SURFACE = contact_keyword(
-    "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", SEGMENTS, SEGMENTS
-)
 
 
 def build(deck: Deck, model: Model) -> None:

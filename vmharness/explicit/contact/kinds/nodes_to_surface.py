@@ -10,13 +10,11 @@ deep.
 """
 
 from vmharness.deck import Deck
+from vmharness.deck.keywords.contact import CONTACT_NODES_TO_SURFACE
 from vmharness.explicit.contact.build import add_contacts
-from vmharness.explicit.contact.cards import NODES, SEGMENTS, contact_keyword
 from vmharness.explicit.model.model import Model
 
 NAME = "nodes to surface"
-
-CONTACT_NODES_TO_SURFACE = contact_keyword("CONTACT_NODES_TO_SURFACE", NODES, SEGMENTS)
 
 
 def build(deck: Deck, model: Model) -> None:

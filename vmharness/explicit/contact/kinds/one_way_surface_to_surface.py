@@ -4,13 +4,11 @@ As *CONTACT_NODES_TO_SURFACE, with A given by its segments.
 """
 
 from vmharness.deck import Deck
+from vmharness.deck.keywords.contact import CONTACT_ONE_WAY_SURFACE_TO_SURFACE
 from vmharness.explicit.contact.build import add_contacts
-from vmharness.explicit.contact.cards import SEGMENTS, contact_keyword
 from vmharness.explicit.model.model import Model
 
 NAME = "one way surface to surface"
-
-CONTACT_ONE_WAY_SURFACE_TO_SURFACE = contact_keyword("CONTACT_ONE_WAY_SURFACE_TO_SURFACE", SEGMENTS, SEGMENTS)
 
 
 def build(deck: Deck, model: Model) -> None:

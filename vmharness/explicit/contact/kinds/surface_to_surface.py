@@ -4,13 +4,11 @@ Two-way: see penalty/contact.py for how the two passes share the force. One-side
 """
 
 from vmharness.deck import Deck
+from vmharness.deck.keywords.contact import CONTACT_SURFACE_TO_SURFACE
 from vmharness.explicit.contact.build import add_contacts
-from vmharness.explicit.contact.cards import SEGMENTS, contact_keyword
 from vmharness.explicit.model.model import Model
 
 NAME = "surface to surface"
-
-CONTACT_SURFACE_TO_SURFACE = contact_keyword("CONTACT_SURFACE_TO_SURFACE", SEGMENTS, SEGMENTS)
 
 
 def build(deck: Deck, model: Model) -> None:

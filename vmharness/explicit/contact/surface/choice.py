@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
-from vmharness.deck.keywords.element_beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
+from vmharness.deck.keywords.element.beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
 from vmharness.deck.keywords.part import PART
-from vmharness.deck.keywords.set_part import SET_PART_LIST
-from vmharness.deck.keywords.set_segment import SET_SEGMENT
-from vmharness.deck.keywords.set_shell import SET_SHELL_LIST
+from vmharness.deck.keywords.set.part import SET_PART_LIST
+from vmharness.deck.keywords.set.segment import SET_SEGMENT
+from vmharness.deck.keywords.set.shell import SET_SHELL_LIST
 from vmharness.explicit.contact.surface.faces import corner_sets
 from vmharness.explicit.contact.surface.facets import Facets, exterior
 from vmharness.explicit.model.model import Model

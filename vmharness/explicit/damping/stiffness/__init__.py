@@ -25,6 +25,7 @@ undamped element becomes shorter (M - dt/2 C - dt^2/4 K must be positive definit
 Source: LS-DYNA keyword manual, the card; R. W. Clough, J. Penzien, Dynamics of Structures, Rayleigh damping.
 """
 
-from vmharness.explicit.damping.stiffness.build import DAMPING_PART_STIFFNESS, build
+from vmharness.deck.keywords.damping import DAMPING_PART_STIFFNESS
+from vmharness.explicit.damping.stiffness.build import build
 
 __all__ = ["DAMPING_PART_STIFFNESS", "build"]

@@ -4,20 +4,12 @@ from math import hypot
 
 import numpy as np
 
-from vmharness.deck import Card, Deck, Keyword
-from vmharness.deck.field import integer, real
+from vmharness.deck import Deck
+from vmharness.deck.keywords.damping import DAMPING_PART_STIFFNESS
 from vmharness.deck.keywords.part import PART
 from vmharness.explicit.force import Dampable, Elements
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Array
-
-DAMPING_PART_STIFFNESS = Keyword(
-    "DAMPING_PART_STIFFNESS",
-    Card(pid=integer(above=0), coef=real(0.0)),
-    repeat=True,
-    unique="pid",
-    kind="part damped by stiffness",
-)
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from vmharness.deck import Deck, DeckError
-from vmharness.deck.keywords.element_beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
-from vmharness.deck.keywords.section_beam import SECTION_BEAM
+from vmharness.deck.keywords.element.beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
+from vmharness.deck.keywords.section.beam import SECTION_BEAM
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part, parts
 from vmharness.explicit.model.state import Array

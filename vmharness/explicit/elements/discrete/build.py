@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 
 from vmharness.deck import Deck, Entry
-from vmharness.deck.keywords.define_sd_orientation import DEFINE_SD_ORIENTATION
-from vmharness.deck.keywords.element_discrete import ELEMENT_DISCRETE
-from vmharness.deck.keywords.section_discrete import SECTION_DISCRETE
+from vmharness.deck.keywords.define.sd_orientation import DEFINE_SD_ORIENTATION
+from vmharness.deck.keywords.element.discrete import ELEMENT_DISCRETE
+from vmharness.deck.keywords.section.discrete import SECTION_DISCRETE
 from vmharness.explicit.elements.discrete.part import ABOUT, ALONG, Discrete, Orientation
 from vmharness.explicit.materials._law import law_of
 from vmharness.explicit.model.model import Model

@@ -3,8 +3,8 @@
 from collections.abc import Callable
 
 from vmharness.deck import Deck
-from vmharness.deck.keywords.control_shell import CONTROL_SHELL
-from vmharness.deck.keywords.control_timestep import CONTROL_TIMESTEP
+from vmharness.deck.keywords.control.shell import CONTROL_SHELL
+from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.explicit.elements.shell._parts import thickness
 from vmharness.explicit.elements.shell._shells import Shells
 from vmharness.explicit.materials._law import law_of

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from vmharness.deck import Deck
-from vmharness.deck.keywords.element_shell import ELEMENT_SHELL, ELEMENT_SHELL_THICKNESS
-from vmharness.deck.keywords.section_shell import SECTION_SHELL
+from vmharness.deck.keywords.element.shell import ELEMENT_SHELL, ELEMENT_SHELL_THICKNESS
+from vmharness.deck.keywords.section.shell import SECTION_SHELL
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Index, Part, parts
 from vmharness.explicit.model.state import Array

@@ -5,10 +5,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from vmharness.deck import Deck, DeckError, Entry
-from vmharness.deck.keywords.control_bulk_viscosity import CONTROL_BULK_VISCOSITY
-from vmharness.deck.keywords.element_solid import ELEMENT_SOLID
+from vmharness.deck.keywords.control.bulk_viscosity import CONTROL_BULK_VISCOSITY
+from vmharness.deck.keywords.element.solid import ELEMENT_SOLID
 from vmharness.deck.keywords.hourglass import HOURGLASS
-from vmharness.deck.keywords.section_solid import SECTION_SOLID
+from vmharness.deck.keywords.section.solid import SECTION_SOLID
 from vmharness.explicit.elements.solid._gradient import measures
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part, parts

@@ -35,7 +35,7 @@ J. J. Moreau, Unilateral contact and dry friction in finite freedom dynamics (19
     tracked.py   which nodes
 """
 
+from vmharness.deck.keywords.rigidwall import KEYWORDS
 from vmharness.explicit.walls.planar.build import build
-from vmharness.explicit.walls.planar.keyword import KEYWORDS
 
 __all__ = ["KEYWORDS", "build"]

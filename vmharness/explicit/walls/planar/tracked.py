@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
-from vmharness.deck.keywords.control_contact import CONTROL_CONTACT
+from vmharness.deck.keywords.control.contact import CONTROL_CONTACT
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import node_set
 from vmharness.explicit.model.state import Array

@@ -1,6 +1,7 @@
 """The deck's parts with *SECTION_BEAM ELFORM = 2 -> forces and masses of the model."""
 
 from vmharness.deck import Deck
+from vmharness.deck.keywords.mat.elastic import MAT_ELASTIC
 from vmharness.explicit.elements.beam._parts import beam_parts, lengths, orientations
 from vmharness.explicit.elements.beam.belytschko_schwer.inertia import lumped, stable_step
 from vmharness.explicit.elements.beam.belytschko_schwer.part import BelytschkoSchwer
@@ -16,10 +17,8 @@ def build(deck: Deck, model: Model) -> None:
     for part in beam_parts(deck, model, ELFORM):
         if part.rigid:
             continue
-        if part.material.keyword is not elastic.KEYWORD:
-            raise part.part.error(
-                "mid", f"beams of resultants are elastic: *{elastic.KEYWORD.name} is supported"
-            )
+        if part.material.keyword is not MAT_ELASTIC:
+            raise part.part.error("mid", f"beams of resultants are elastic: *{MAT_ELASTIC.name} is supported")
         e, nu = elastic.constants(deck, part.material)
         length, density, card = lengths(part, model.x0), part.material.ro, part.section
         section = CrossSection(card.a, card.iss, card.itt, card.j, card.sa)

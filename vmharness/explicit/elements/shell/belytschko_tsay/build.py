@@ -4,7 +4,7 @@ from functools import partial
 from typing import Any
 
 from vmharness.deck import Deck, Entry
-from vmharness.deck.keywords.control_hourglass import CONTROL_HOURGLASS
+from vmharness.deck.keywords.control.hourglass import CONTROL_HOURGLASS
 from vmharness.deck.keywords.hourglass import HOURGLASS
 from vmharness.explicit.elements.shell._build import add_part
 from vmharness.explicit.elements.shell._parts import shell_parts

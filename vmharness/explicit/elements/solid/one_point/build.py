@@ -5,7 +5,7 @@ from functools import cache
 from typing import Any
 
 from vmharness.deck import Deck, Entry
-from vmharness.deck.keywords.control_hourglass import CONTROL_HOURGLASS
+from vmharness.deck.keywords.control.hourglass import CONTROL_HOURGLASS
 from vmharness.deck.keywords.hourglass import HOURGLASS
 from vmharness.explicit.elements.solid import _stress as stress
 from vmharness.explicit.elements.solid._build import add_part, wave_modulus

@@ -1,13 +1,14 @@
-"""Cards of *CONTACT_...: three that must be there, and optional cards A to G, each after all before it.
+"""*CONTACT: three cards that must be there, and optional cards A to G, each after all before it.
 
-Both names of a field are in use: SURFA is SSID, SURFB is MSID; SFSA is SFS, SAST is SST, and so on. Fields that take
-any value and act on nothing are listed in without_effect.py.
+Both names of a field are in use: SURFA is SSID, SURFB is MSID; SFSA is SFS, SAST is SST, and so on.
 """
 
-from vmharness.deck import Card, Keyword
+from vmharness.deck.card import Card
 from vmharness.deck.field import integer, only, real, skip, text
+from vmharness.deck.keyword import Keyword
 
 SEGMENTS = (0, 1, 2, 3, 5, 6)  # kinds of surface that have segments; see surface/choice.py
+
 NODES = (*SEGMENTS, 4)
 
 
@@ -101,3 +102,18 @@ def _optional() -> tuple[Card, ...]:
         ssftyp=only(0), swtpr=only(0), tetfac=only(0.0),
     )  # fmt: skip
     return a, b, c, d, e, f, Card(optional=True, _1=skip(), shloff=only(0.0))
+
+
+CONTACT_AUTOMATIC_NODES_TO_SURFACE = contact_keyword("CONTACT_AUTOMATIC_NODES_TO_SURFACE", NODES, SEGMENTS)
+
+CONTACT_AUTOMATIC_SINGLE_SURFACE = contact_keyword("CONTACT_AUTOMATIC_SINGLE_SURFACE", SEGMENTS, (0,))
+
+CONTACT_AUTOMATIC_SURFACE_TO_SURFACE = contact_keyword(
+    "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", SEGMENTS, SEGMENTS
+)
+
+CONTACT_NODES_TO_SURFACE = contact_keyword("CONTACT_NODES_TO_SURFACE", NODES, SEGMENTS)
+
+CONTACT_ONE_WAY_SURFACE_TO_SURFACE = contact_keyword("CONTACT_ONE_WAY_SURFACE_TO_SURFACE", SEGMENTS, SEGMENTS)
+
+CONTACT_SURFACE_TO_SURFACE = contact_keyword("CONTACT_SURFACE_TO_SURFACE", SEGMENTS, SEGMENTS)

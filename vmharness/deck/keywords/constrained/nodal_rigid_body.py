@@ -3,7 +3,7 @@
 from vmharness.deck.card import Card
 from vmharness.deck.field import Field, integer, only
 from vmharness.deck.keyword import Keyword
-from vmharness.deck.keywords.inertia import CENTRE, LOCAL, TENSOR, VELOCITY
+from vmharness.deck.keywords._inertia import CENTRE, LOCAL, TENSOR, VELOCITY
 
 BODY: dict[str, Field] = {
     "pid": integer(above=0),

@@ -1,7 +1,8 @@
-"""Cards of *RIGIDWALL_PLANAR with _FINITE, _MOVING and both; options of the name may stand in either order."""
+"""*RIGIDWALL_PLANAR with _FINITE, _MOVING and both; options of the name may stand in either order."""
 
-from vmharness.deck import Card, Keyword
+from vmharness.deck.card import Card
 from vmharness.deck.field import integer, only, real, text
+from vmharness.deck.keyword import Keyword
 
 NODES = Card(
     nsid=integer(0, at_least=0),
@@ -12,11 +13,14 @@ NODES = Card(
     death=real(1e20, zero_is_default=True, above=0.0),
     rwksf=real(1.0),  # scales the penalty, which rigid bodies alone would have
 )
+
 PLANE = Card(
     xt=real(0.0), yt=real(0.0), zt=real(0.0), xh=real(0.0), yh=real(0.0), zh=real(0.0),
     fric=real(0.0, at_least=0.0), wvel=only(0.0),
 )  # fmt: skip
+
 EDGES = Card(xhev=real(0.0), yhev=real(0.0), zhev=real(0.0), lenl=real(above=0.0), lenm=real(above=0.0))
+
 MOTION = Card(mass=real(above=0.0), v0=real(0.0))
 
 

@@ -1,0 +1,1 @@
+"""*BOUNDARY: supports and prescribed motion."""

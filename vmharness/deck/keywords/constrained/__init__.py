@@ -1,0 +1,1 @@
+"""*CONSTRAINED: rigid bodies, joints."""

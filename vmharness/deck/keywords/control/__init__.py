@@ -1,0 +1,1 @@
+"""*CONTROL: what holds for the whole run."""

@@ -1,0 +1,1 @@
+"""*DEFINE: curves and orientations."""

@@ -1,0 +1,1 @@
+"""*ELEMENT: elements and their nodes."""

@@ -1,0 +1,20 @@
+"""*LOAD_SEGMENT: pressure on segments, by a curve over time."""
+
+from vmharness.deck.card import Card
+from vmharness.deck.field import integer, only, real
+from vmharness.deck.keyword import Keyword
+
+CORNERS = ("n1", "n2", "n3", "n4")
+
+PRESSURE = {"lcid": integer(above=0), "sf": real(1.0, zero_is_default=True), "at": real(0.0, at_least=0.0)}
+
+LOAD_SEGMENT = Keyword(
+    "LOAD_SEGMENT",
+    Card({**PRESSURE, **dict.fromkeys(CORNERS, integer(above=0)), "n5": only(0)}),
+    options=("ID",),
+    repeat=True,
+)
+
+LOAD_SEGMENT_SET = Keyword(
+    "LOAD_SEGMENT_SET", Card({"ssid": integer(above=0), **PRESSURE}), options=("ID",), repeat=True
+)

@@ -1,0 +1,1 @@
+"""*MAT: materials."""

@@ -1,0 +1,1 @@
+"""*SECTION: formulations and cross-sections of elements."""

@@ -1,0 +1,1 @@
+"""*SET: nodes, parts, segments and shells by number."""
