@@ -18,5 +18,6 @@ The others hold mechanics that the formulations of a list share.
     rigid                 bodies: motion of rigid bodies, and their joints
 
 What many of them read of the deck: parts.py, material.py, sets.py, curve.py, dof.py; shells.py, solids.py, beams.py.
-What kernels are made of: compiled.py, cache.py, threads.py, vector.py, turn.py, lanes.py, segment.py.
+What kernels are made of: compiled.py, threads.py, vector.py, turn.py, lanes.py, segment.py.
+How their compiled forms are kept: cache.py, kept.py, meaning.py.
 """

@@ -17,7 +17,7 @@ def uncounted_functions():
     for module in walk_packages(explicit.__path__, f"{explicit.__name__}."):
         for name, value in vars(import_module(module.name)).items():
             if getattr(value, "targetoptions", {}).get("_nrt") is False:
-                found[f"{value.py_func.__module__}.{name}"] = value.py_func
+                found[f"{value.__module__}.{name}"] = value.py_func
     return found
 
 

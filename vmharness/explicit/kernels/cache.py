@@ -1,20 +1,26 @@
-"""Where compiled kernels lie on disk, so that a changed source never runs as it was before.
+"""Compiled kernels on disk: one file for each kernel and each set of argument types.
 
-numba does not notice when a function that a cached kernel calls in another file has changed. The cache therefore
-lies in a folder named by a hash of every source file of the solver (kernels call nothing else of ours), numba's version
-and the processor: a changed source is a new folder.
+The name of a file is a hash of what the kernel computes (meaning.py), of the argument types and of the processor's
+features. A kernel with a changed operator is therefore another file; one with a changed comment, or in another copy of
+the package, is the same. The folder is named by what makes the files: Python, the compiler, the processor.
 """
 
+import contextlib
 import hashlib
 import os
 import platform
 import shutil
+import tempfile
+import time
+import zlib
+from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 
-KEEP = 4  # folders of other sources or machines that share the cache; older ones are removed
-KEEP_PLANTED = 64  # one for each fault that is planted
-PLANTED = "VMHARNESS_PLANTED"  # names the fault that this process has in its sources, if any
+FOLDERS = 4  # folders of other compilers and processors that stay
+FILES = 8000  # kernels that stay, about 350 MB
+DAY = 86400.0  # s
+HEAD = 4  # bytes of the checksum at the start of a file
 
 
 def root() -> Path:
@@ -26,33 +32,75 @@ def root() -> Path:
 
 
 def folder() -> Path:
-    """The folder for kernels of just these sources, this numba and this processor, and of just this planted fault."""
-    digest, planted = hashlib.sha256(), os.environ.get(PLANTED, "")
-    package = Path(__file__).parents[1]
-    for source in sorted(package.rglob("*.py")):
-        digest.update(source.relative_to(package).as_posix().encode())
-        digest.update(source.read_bytes())
-    for fact in (version("numba"), platform.python_version(), platform.machine(), _processor(), planted):
-        digest.update(fact.encode())
-    return root() / f"{'planted' if planted else 'kernels'}-{digest.hexdigest()[:16]}"
+    """The folder for kernels of this Python, this compiler and this processor."""
+    packages = [version(name) for name in ("numba", "llvmlite", "numpy")]
+    facts = (platform.python_version(), platform.machine(), _processor(), *packages)
+    return root() / f"kernels-{hashlib.sha256(repr(facts).encode()).hexdigest()[:16]}"
 
 
 def is_cold() -> bool:
-    """True when nothing is compiled yet, so that the first run will take longer."""
-    return not any(folder().rglob("*.nbi"))
-
-
-def prepare() -> bool:
-    """Point numba at the folder, before numba is imported; False where no folder can be made."""
-    chosen = folder()
+    """True when nothing is compiled yet, so that the first run takes longer."""
     try:
-        chosen.mkdir(parents=True, exist_ok=True)
-        os.utime(chosen)
-        _clean(chosen)
+        with os.scandir(folder()) as kernels:
+            return next(kernels, None) is None
     except OSError:
-        return False
-    os.environ["NUMBA_CACHE_DIR"] = str(chosen)
-    return True
+        return True
+
+
+def load(path: Path) -> bytes | None:
+    """The content of a file; None where there is none, or where it is damaged."""
+    try:
+        content = path.read_bytes()
+        if _checksum(content[HEAD:]) != content[:HEAD]:
+            return None
+        if time.time() - path.stat().st_mtime > DAY:
+            os.utime(path)  # in use: not to be removed
+    except OSError:
+        return None
+    return content[HEAD:]
+
+
+def save(path: Path, content: bytes) -> None:
+    """Write a file in one step; where that cannot be, the kernel serves this process only."""
+    with contextlib.suppress(OSError):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        clean(path.parent)
+        number, part = tempfile.mkstemp(dir=path.parent, suffix=".part")
+        try:
+            with os.fdopen(number, "wb") as file:
+                file.write(_checksum(content) + content)
+            Path(part).replace(path)
+        finally:
+            Path(part).unlink(missing_ok=True)
+
+
+@cache
+def clean(current: Path) -> None:
+    """Remove the kernels and the other folders that were not used for longest, once in a process."""
+    kernels = list(current.iterdir())
+    if len(kernels) > FILES:
+        _keep_newest(FILES * 3 // 4, kernels)  # so that the next time is far off
+    _keep_newest(FOLDERS, [other for other in current.parent.glob("kernels-*") if other != current])
+
+
+def _keep_newest(most: int, paths: list[Path]) -> None:
+    for path in sorted(paths, key=_used, reverse=True)[most:]:
+        if path.is_dir():
+            shutil.rmtree(path, ignore_errors=True)
+        else:
+            path.unlink(missing_ok=True)
+
+
+def _used(path: Path) -> float:
+    """When it was used last; 0 where another process has removed it."""
+    try:
+        return path.stat().st_mtime
+    except OSError:
+        return 0.0
+
+
+def _checksum(content: bytes) -> bytes:
+    return zlib.crc32(content).to_bytes(HEAD, "little")
 
 
 def _processor() -> str:
@@ -62,12 +110,3 @@ def _processor() -> str:
     except OSError:
         return platform.processor()
     return next((line for line in lines if line.startswith("model name")), platform.processor())
-
-
-def _clean(current: Path) -> None:
-    """Remove all but the most recently used other folders of its kind: sound kernels, or planted ones."""
-    kind = current.name.partition("-")[0]
-    keep = KEEP if kind == "kernels" else KEEP_PLANTED
-    others = [other for other in root().glob(f"{kind}-*") if other != current]
-    for other in sorted(others, key=lambda other: other.stat().st_mtime, reverse=True)[keep:]:
-        shutil.rmtree(other, ignore_errors=True)

@@ -1,22 +1,15 @@
 """Kernels: plain functions on arrays, compiled by numba; with NUMBA_DISABLE_JIT=1 they run as plain Python."""
 
-import os
 import types
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from vmharness.explicit.kernels import cache
+import numba
 
-CACHED = cache.prepare()  # before numba is imported: it reads its folder then
-
-import numba  # noqa: E402
-
-if CACHED:
-    # In case someone imported numba before us.
-    setattr(numba.config, "CACHE_DIR", os.environ["NUMBA_CACHE_DIR"])  # noqa: B010
+from vmharness.explicit.kernels.kept import Kept
 
 # NaN stays NaN and operations keep their order ("contract" only fuses a*b + c); division by zero gives inf.
-OPTIONS: dict[str, Any] = {"cache": CACHED, "error_model": "numpy", "fastmath": {"contract"}}
+OPTIONS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}}
 # For kernels that neither make nor return arrays: those that they are given are not counted as they are handed on,
 # which takes 10 ns each time.
 UNCOUNTED: dict[str, Any] = {**OPTIONS, "_nrt": False}
@@ -24,33 +17,45 @@ UNCOUNTED: dict[str, Any] = {**OPTIONS, "_nrt": False}
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 
-def kernel(function: Function, nogil: bool = False) -> Function:
+def compiled(function: Function, **options: Any) -> Function:
     """Compile `function`; its compiled form is kept on disk for the next process."""
-    compiled: Function = numba.njit(**OPTIONS, nogil=nogil)(function)
-    return compiled
+    kernel: Function = numba.njit(**options)(function)
+    if kernel is not function:  # with NUMBA_DISABLE_JIT=1
+        setattr(kernel, "_cache", Kept(kernel))  # noqa: B010
+    return kernel
+
+
+def kernel(function: Function) -> Function:
+    """A kernel of the general kind."""
+    return compiled(function, **OPTIONS)
 
 
 def concurrent(function: Function) -> Function:
     """A kernel beside which other threads run: for loops over all nodes or elements, since it costs 50 ns a call."""
-    return kernel(function, nogil=True)
+    return compiled(function, **OPTIONS, nogil=True)
 
 
 def uncounted(function: Function) -> Function:
     """A kernel that neither makes nor returns arrays, in place where it is called many times for little."""
-    compiled: Function = numba.njit(**UNCOUNTED)(function)
-    return compiled
+    return compiled(function, **UNCOUNTED)
+
+
+def inlined(function: Callable[..., Any]) -> Any:
+    """An uncounted kernel that is inlined where it is called."""
+    return compiled(function, **UNCOUNTED, forceinline=True)
+
+
+def inlined_counted(function: Callable[..., Any]) -> Any:
+    """As `inlined`, for functions that return arrays: the caller counts what it is given as its own."""
+    return compiled(function, **OPTIONS, forceinline=True)
 
 
 def specialise(function: Callable[..., Any], **bound: Callable[..., Any]) -> Callable[..., Any]:
     """Compile a copy of plain `function` in which the global names of `bound` stand for other kernels.
 
-    An element kernel is written once and compiled for just the material laws that a deck uses. The copy carries the
-    names of what it is bound to, so that each combination has an entry of its own in the cache.
+    An element kernel is written once and compiled for just the material laws that a deck uses.
     """
-    parts = [getattr(part, "py_func", part) for part in bound.values()]
-    suffix = "".join(f"__{part.__module__.rpartition('.')[2]}_{part.__name__}" for part in parts)
     scope = {**function.__globals__, **bound}
-    copy = types.FunctionType(function.__code__, scope, function.__name__ + suffix, function.__defaults__)
-    copy.__qualname__ = function.__qualname__ + suffix
+    copy = types.FunctionType(function.__code__, scope, function.__name__, function.__defaults__)
     copy.__module__ = function.__module__
     return concurrent(copy)

@@ -5,15 +5,10 @@ The functions are inlined where they are called: the tuples become registers, an
 
 from typing import TypeAlias
 
-import numba
-
-from vmharness.explicit.kernels.compiled import OPTIONS, UNCOUNTED
+from vmharness.explicit.kernels.compiled import inlined as inlined
+from vmharness.explicit.kernels.compiled import inlined_counted as inlined_counted
 
 Vector: TypeAlias = tuple[float, float, float]
-
-inlined = numba.njit(**UNCOUNTED, forceinline=True)
-# For functions that return arrays: the caller counts what it is given as its own.
-inlined_counted = numba.njit(**OPTIONS, forceinline=True)
 
 
 @inlined

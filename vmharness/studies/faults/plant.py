@@ -1,11 +1,10 @@
 """Plant a fault: one exact text of one module stands replaced when a process imports it. Neither module knows.
 
-The process must be new: what it has imported is sound. The kernels that it compiles are kept apart from the sound ones
-(explicit/kernels/cache.py), by the environment variable that is set here.
+The process must be new: what it has imported is sound. A kernel with the fault in it, at any depth, has a cache of its
+own, since it computes something else (explicit/kernels/meaning.py).
 """
 
 import hashlib
-import os
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,8 +16,6 @@ from types import CodeType, ModuleType
 from vmharness import plugins
 
 FOLDER = "vmharness.studies.faults.planted"
-KERNELS = "vmharness.explicit"
-VARIABLE = "VMHARNESS_PLANTED"  # read by explicit/kernels/cache.py
 
 
 class PlantError(Exception):
@@ -92,12 +89,8 @@ def plant(digest: str) -> None:
     if chosen.digest != digest:
         raise PlantError(f"{chosen.name}: its texts have changed since it was chosen")
     chosen.planted(source_of(chosen.module))
-    kernels = chosen.module.startswith(f"{KERNELS}.")
-    for module in [chosen.module, *([f"{KERNELS}.kernels.compiled"] if kernels else [])]:
-        if module in sys.modules:
-            raise PlantError(f"{chosen.name}: {module} is imported already: plant it in a new process")
-    if kernels:
-        os.environ[VARIABLE] = chosen.digest
+    if chosen.module in sys.modules:
+        raise PlantError(f"{chosen.name}: {chosen.module} is imported already: plant it in a new process")
     sys.meta_path.insert(0, _Finder(chosen))
 
 
