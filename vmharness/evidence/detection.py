@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 
 from vmharness.evidence.maker import Maker
+from vmharness.round_off import largest
 
 
 class Noticed(StrEnum):
@@ -88,4 +89,4 @@ def coverage(detections: Sequence[Detection]) -> Coverage:
 
 
 def _nearest(cases: Mapping[str, Finding]) -> Finding:
-    return max(cases.values(), key=lambda finding: finding.share or 0.0)
+    return largest(cases.values(), lambda finding: finding.share or 0.0)

@@ -2,7 +2,8 @@
 
 from collections.abc import Callable, Mapping, Sequence
 
-from vmharness.evidence.sample import DIGITS, Point, rounded
+from vmharness.evidence.sample import DIGITS, Point
+from vmharness.round_off import rounded
 
 Fails = Callable[[Sequence[Point]], Sequence[bool]]
 

@@ -3,13 +3,14 @@
 import math
 from typing import TYPE_CHECKING
 
-from vmharness.evidence.sample import is_logarithmic, rounded
+from vmharness.evidence.sample import is_logarithmic
 from vmharness.evidence.swept import Swept, worst_share
 from vmharness.report import number
 from vmharness.report.figures import svg
 from vmharness.report.figures.characters import ten_to, unit
 from vmharness.report.figures.histories import COLOURS, INK, QUIET
 from vmharness.report.figures.note import note
+from vmharness.round_off import rounded
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
