@@ -15,6 +15,7 @@ from vmharness.formula import Unit
 from vmharness.history import History
 from vmharness.measure import value_at
 from vmharness.result import Reading
+from vmharness.round_off import ROUND_OFF
 
 LAST = "each the last cycle not after its time"
 FIRST = "the first that shows the event"
@@ -104,10 +105,15 @@ def state_of(event: Event, sampled: History) -> int | None:
         on = np.flatnonzero(sampled[event.end_of] != 0.0)
         return int(on[-1]) if on.size else None
     if event.minimum_of:
-        return int(np.argmin(sampled[event.minimum_of]))
+        return _lowest(sampled[event.minimum_of])
     if event.maximum_of:
-        return int(np.argmax(sampled[event.maximum_of]))
+        return _lowest(-sampled[event.maximum_of])
     return None  # nobody reads a level crossing off states
+
+
+def _lowest(values: NDArray[np.float64]) -> int:
+    """Index of the lowest state; the first of those that are as low but for round-off."""
+    return int(np.argmax(values <= values.min() + ROUND_OFF * np.abs(values).max()))
 
 
 def prints_as(value: float, text: str) -> bool:

@@ -10,6 +10,7 @@ from vmharness.case import Case
 from vmharness.compare import Comparison, Verdict, worst
 from vmharness.events import Event
 from vmharness.history import History
+from vmharness.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 
@@ -42,6 +43,14 @@ class Row:
     def verdict(self) -> Verdict:
         """Pass, fail, or error."""
         return self.comparison.verdict
+
+    @property
+    def used(self) -> float | None:
+        """The share of the tolerance that it uses; none of it where the distance from the target is round-off."""
+        c = self.comparison
+        return (
+            0.0 if c.share is not None and abs(c.value - c.target) <= ROUND_OFF * abs(c.target) else c.share
+        )
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ from vmharness.case import Case
 from vmharness.case.format import Budget
 from vmharness.compare import Tolerance
 from vmharness.formula import Unit
+from vmharness.round_off import ROUND_OFF
 
 LOOSE = 10.0  # a tolerance above so many budgets accepts what the budget cannot explain
 
@@ -67,5 +68,5 @@ def review_measured(case: Case, errors: Mapping[str, float]) -> list[str]:
     return [
         f"{key}: the measured error, {abs(errors[key]):.2g}, exceeds the error budget, {expected:.2g}"
         for key, expected in budgets.items()
-        if expected is not None and abs(errors[key]) > expected
+        if expected is not None and abs(errors[key]) > expected + ROUND_OFF
     ]

@@ -8,6 +8,7 @@ from vmharness.report.page import worst_row
 from vmharness.report.section import Section
 from vmharness.report.solver import short_name
 from vmharness.result import CaseRun, Row, Unrun
+from vmharness.round_off import ordered
 
 ORDER = {Verdict.ERROR: 0, Verdict.FAIL: 1, Verdict.PASS: 2}
 
@@ -44,7 +45,7 @@ def index(
     """Order the runs for the index; the cases without one come before them. `studies` are by case."""
     solvers: dict[str, list[Line]] = {}
     coverage: dict[str, list[CaseRun]] = {}
-    for run in sorted(runs, key=_badness):
+    for run in _worst_first(runs):
         passed = sum(row.verdict is Verdict.PASS for row in run.rows)
         # The margin of what was judged says nothing about a run that was not.
         worst = None if run.verdict is Verdict.ERROR else worst_row(run)
@@ -61,6 +62,8 @@ def index(
     )
 
 
-def _badness(run: CaseRun) -> tuple[int, float, str]:
-    row = worst_row(run)
-    return ORDER[run.verdict], -(row.comparison.share or 0.0) if row else 0.0, run.case.id
+def _worst_first(runs: Sequence[CaseRun]) -> list[CaseRun]:
+    """By verdict, then by the largest share of a tolerance, then by id."""
+    by_id = sorted(runs, key=lambda run: run.case.id)
+    by_share = ordered(by_id, lambda run: -(row.used or 0.0) if (row := worst_row(run)) else 0.0)
+    return sorted(by_share, key=lambda run: ORDER[run.verdict])

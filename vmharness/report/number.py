@@ -1,8 +1,13 @@
-"""Numbers as the report prints them: a fixed number of digits, no negative zero, a dash for what is not there."""
+"""Numbers as the report prints them: a fixed number of digits, no negative zero, a dash for what is not there.
+
+Round-off is taken off before: a number half-way between two of fewer digits prints alike on every machine.
+"""
 
 import math
 import re
 from decimal import Decimal
+
+from vmharness.round_off import rounded
 
 DASH = "–"
 
@@ -15,7 +20,7 @@ def significant(value: float | None) -> str:
     """
     if value is None or not math.isfinite(value):
         return DASH
-    return _tidy(f"{value:#.6g}").rstrip(".") if value else "0"
+    return _tidy(f"{rounded(value):#.6g}").rstrip(".") if value else "0"
 
 
 def short(value: float | None) -> str:
@@ -26,7 +31,7 @@ def short(value: float | None) -> str:
     """
     if value is None or not math.isfinite(value):
         return DASH
-    return _tidy(f"{value:.6g}") if value else "0"
+    return _tidy(f"{rounded(value):.6g}") if value else "0"
 
 
 def given(value: float) -> str:
@@ -51,7 +56,7 @@ def decimals(value: float | None, places: int = 4) -> str:
     """
     if value is None or not math.isfinite(value):
         return DASH
-    text = f"{value:.{places}f}"
+    text = f"{rounded(value):.{places}f}"
     return text.removeprefix("-") if float(text) == 0.0 else text
 
 
@@ -63,6 +68,7 @@ def positional(value: float | None, digits: int = 3) -> str:
     """
     if value is None or not math.isfinite(value):
         return DASH
+    value = rounded(value)
     if 0.0 < abs(value) < 1e-6:
         return _tidy(f"{value:.{digits}g}")
     return f"{Decimal(f'{value:.{digits}g}').normalize():f}"
@@ -87,9 +93,10 @@ def share(value: float | None) -> str:
     """
     if value is None or not math.isfinite(value):
         return DASH
+    value = rounded(value)
     if value < 0.005:
         return "<1 %"
-    return f"{100.0 * value:.0f} %" if value < 10.0 else f"{value:.0f} ×"
+    return f"{rounded(100.0 * value):.0f} %" if value < 10.0 else f"{value:.0f} ×"
 
 
 def _tidy(text: str) -> str:

@@ -14,6 +14,7 @@ from vmharness.report.prose import sections
 from vmharness.report.section import Figure, Section, Studies
 from vmharness.report.solver import short_name
 from vmharness.result import CaseRun, Row
+from vmharness.round_off import largest
 from vmharness.studies.faults.declared import Move, moves
 from vmharness.studies.sensitivity import Sensitivity, sensitivities
 
@@ -96,9 +97,9 @@ def page(run: CaseRun, volatile: bool = True, indexed: bool = False, studies: St
 
 
 def worst_row(run: CaseRun) -> Row | None:
-    """The result that uses most of its tolerance."""
-    judged = [row for row in run.rows if row.comparison.share is not None]
-    return max(judged, key=lambda row: row.comparison.share or 0.0, default=None)
+    """The result that uses most of its tolerance; of several the first."""
+    judged = [row for row in run.rows if row.used is not None]
+    return largest(judged, lambda row: row.used or 0.0) if judged else None
 
 
 def _errors(run: CaseRun) -> dict[str, float]:

@@ -13,10 +13,12 @@ from vmharness import plugins
 from vmharness.case import Case
 from vmharness.execution import atomic
 from vmharness.report.stamp import Stamp
+from vmharness.round_off import rounded
 
 OLD = "The case was changed after this study: it is of an earlier state."
 STUDIES = "vmharness.report.sections"
 FOLDER = "studies"
+DIGITS = 10  # of a number in a record
 
 
 @dataclass(frozen=True)
@@ -64,9 +66,24 @@ class Studies:
 
 
 def write(root: Path, case: str, name: str, record: Any) -> Path:
-    """Leave the record of a study (a dataclass) for the page of a case; the same record makes the same bytes."""
-    content = msgspec.json.format(msgspec.json.encode(record), indent=1)
+    """Leave the record of a study (a dataclass) for the page of a case; the same record makes the same bytes.
+
+    Its numbers are written to so many DIGITS: those behind differ from machine to machine.
+    """
+    content = msgspec.json.format(msgspec.json.encode(_stable(msgspec.to_builtins(record))), indent=1)
     return atomic.write(root / case / FOLDER / f"{name}.json", content.decode() + "\n")
+
+
+def _stable(content: Any) -> Any:
+    """The content of a record with its numbers rounded."""
+    match content:
+        case float():
+            return rounded(content, DIGITS)
+        case dict():
+            return {name: _stable(value) for name, value in content.items()}
+        case list() | tuple():
+            return [_stable(value) for value in content]
+    return content
 
 
 def studies(case: Case, folder: Path) -> Studies:

@@ -5,9 +5,11 @@ from collections.abc import Mapping
 from vmharness.compare import Verdict
 from vmharness.report.number import DASH, decimals, given, positional, share
 from vmharness.report.page import Page, PlantedFault, worst_row
-from vmharness.result import CaseRun
-from vmharness.studies.sensitivity import Sensitivity, smallest_seen
+from vmharness.result import CaseRun, Row
+from vmharness.round_off import ROUND_OFF, rounded
+from vmharness.studies.sensitivity import DIGITS, Sensitivity, smallest_seen
 
+VISIBLE = 200  # a tolerance of so many times round-off, of which that is half a percent
 SIGNS = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.ERROR: "!"}
 
 
@@ -31,11 +33,16 @@ def summary(run: CaseRun) -> str:
         return run.reason or "nothing was judged"
     worst = worst_row(run)
     line = f"All {len(run.rows)} results lie within their tolerances"
-    return (
-        f"{line}; {worst.key} uses the most of its own, {share(worst.comparison.share)}."
-        if worst
-        else f"{line}."
-    )
+    return f"{line}; {worst.key} uses the most of its own, {used(worst)}." if worst else f"{line}."
+
+
+def used(row: Row | None) -> str:
+    """The share of its tolerance that a result uses; `round-off` where that is all there is, and one could see it."""
+    if row is None:
+        return DASH
+    c = row.comparison
+    nothing_else = row.used == 0.0 and c.tolerance.allowed(c.target) < VISIBLE * ROUND_OFF * abs(c.target)
+    return "round-off" if nothing_else else share(row.used)
 
 
 def changes(page: Page) -> str:
@@ -52,7 +59,7 @@ def changes(page: Page) -> str:
 def moves(fault: PlantedFault) -> list[tuple[str, str]]:
     """Each result that must fail, and how far theory says that the fault moves it."""
     return [
-        (key, f"{decimals(moved.percent)} %, {moved.tolerances:.0f} × tolerance" if moved else "")
+        (key, f"{decimals(moved.percent)} %, {rounded(moved.tolerances):.0f} × tolerance" if moved else "")
         for key, moved in fault.moves.items()
     ]
 
@@ -70,4 +77,9 @@ def sensitive(page: Page) -> tuple[dict[str, Mapping[str, Sensitivity]], list[st
 def seen(page: Page, datum: str) -> str:
     """From which error of a datum in the deck on a result fails, and which."""
     smallest = smallest_seen(page.sensitivity[datum])
-    return f"{positional(smallest[1], 2)} %, by {smallest[0]}" if smallest else DASH
+    return f"{positional(rounded(smallest[1], DIGITS), 2)} %, by {smallest[0]}" if smallest else DASH
+
+
+def per_percent(one: Sensitivity) -> str:
+    """By how many percent a target moves per percent of a datum."""
+    return positional(None if one.percent is None else rounded(one.percent, DIGITS), 4)

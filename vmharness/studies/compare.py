@@ -3,6 +3,8 @@
 import math
 from dataclasses import dataclass, field
 
+from vmharness.round_off import ordered
+
 RANK = {"pass": 0, "fail": 1, "error": 2}
 
 
@@ -72,7 +74,7 @@ def pairs(first: Run, second: Run) -> list[Pair]:
         if not any(results):
             verdicts = tuple(c[name].verdict if name in c else "missing" for c in cases)
             found.append(Pair(name, "", "", None, None, None, None, (verdicts[0], verdicts[1])))
-    return sorted(found, key=lambda pair: (not pair.worse, -(pair.share or 0.0)))
+    return sorted(ordered(found, lambda pair: -(pair.share or 0.0)), key=lambda pair: not pair.worse)
 
 
 def _name(case: CaseOfRun) -> str:

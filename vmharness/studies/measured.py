@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from vmharness.round_off import ROUND_OFF, largest
+
 if TYPE_CHECKING:
     from vmharness.history import History
     from vmharness.result import CaseRun, Row
@@ -25,6 +27,11 @@ class Value:
     def error(self) -> float | None:
         """(value - target)/target, a fraction; None without a value, or for a target of zero."""
         return self.value / self.target - 1.0 if self.value is not None and self.target else None
+
+    @property
+    def is_round_off(self) -> bool:
+        """Whether the error is no more than round-off."""
+        return self.error is not None and abs(self.error) <= ROUND_OFF
 
 
 @dataclass(frozen=True)
@@ -52,11 +59,14 @@ class Measured:
 
     @property
     def worst(self) -> tuple[str, float] | None:
-        """Key and share of the result that uses most of its tolerance; one without a value uses more than any."""
+        """Key and share of the result that uses most of its tolerance, of several the first.
+
+        One without a value uses more than any.
+        """
         shares = {
             key: math.inf if value.share is None else value.share for key, value in self.results.items()
         }
-        return max(shares.items(), key=lambda item: item[1], default=None)
+        return largest(shares.items(), lambda item: item[1]) if shares else None
 
 
 def measured(run: "CaseRun", strides: Sequence[int] = ()) -> Measured:

@@ -12,12 +12,14 @@ from dataclasses import dataclass, replace
 from vmharness.case import Case, CaseError
 from vmharness.case.case import evaluate_theory
 from vmharness.case.tolerance import allowed_difference
+from vmharness.round_off import smallest
 from vmharness.studies.faults.declared import change_seen, in_deck
 
 STEP = 1e-4  # h, as a fraction of the datum
 POINTS = (1.0 - 2.0 * STEP, 1.0 - STEP, 1.0 + STEP, 1.0 + 2.0 * STEP)
 AGREE = 0.1  # D(h) and D(2 h) differ by less than this fraction of the larger one
-NOISE = 1e-8  # a derivative below this is round-off of the formula
+NOISE = 1e-6  # a derivative below this is round-off of the formula
+DIGITS = 6  # of a derivative that are no round-off
 
 
 @dataclass(frozen=True)
@@ -36,11 +38,14 @@ def sensitivities(case: Case) -> dict[str, dict[str, Sensitivity]]:
 
 
 def smallest_seen(of: Mapping[str, Sensitivity]) -> tuple[str, float] | None:
-    """The result that sees the smallest fault of a datum, and that size in percent; None where none sees any."""
+    """The result that sees the smallest fault of a datum, and that size in percent; None where none sees any.
+
+    Of results that see equal ones it is the first.
+    """
     seen = [(one.seen, key) for key, one in of.items() if one.seen is not None]
     if not seen:
         return None
-    size, key = min(seen)
+    size, key = smallest(seen, lambda pair: pair[0])
     return key, size
 
 
@@ -88,10 +93,13 @@ def _percent(case: Case, others: Sequence[Case], key: str) -> float | None:
 def _seen(case: Case, others: Sequence[Case], key: str) -> float | None:
     """100 allowed difference / |d reading / d ln datum|, where the datum is the deck's alone."""
     allowed = allowed_difference(case, key)
+    scale = (
+        abs(case.target(key)) or allowed
+    )  # the round-off of a change is of the target, not of the tolerance
     try:
         changes = [change_seen(case, other, key) for other in others]
     except CaseError:
         return None
-    known = [change / allowed for change in changes if change is not None] if allowed else []
+    known = [change / scale for change in changes if change is not None] if allowed else []
     slope = derivative(known) if len(known) == len(POINTS) else None
-    return 100.0 / abs(slope) if slope else None
+    return 100.0 * allowed / scale / abs(slope) if slope else None

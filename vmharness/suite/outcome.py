@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import TYPE_CHECKING
 
+from vmharness.round_off import ordered
+
 if TYPE_CHECKING:
     from vmharness.result import CaseRun
 
@@ -75,5 +77,6 @@ def exit_code(statuses: Iterable[Status]) -> int:
 
 def worst_first(outcomes: Iterable[Outcome]) -> list[Outcome]:
     """In the order in which one wants to hear of them: by status, then by share of tolerance, then by id."""
-    order = list(Status)
-    return sorted(outcomes, key=lambda o: (order.index(o.status), -(o.share or 0.0), o.id))
+    by_id = sorted(outcomes, key=lambda outcome: outcome.id)
+    by_share = ordered(by_id, lambda outcome: -(outcome.share or 0.0))
+    return sorted(by_share, key=lambda outcome: list(Status).index(outcome.status))

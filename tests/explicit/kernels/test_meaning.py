@@ -85,7 +85,9 @@ def test_names_of_modules_and_paths_do_not_count():
         {"np.sin": "np.cos"},
         {"vector.dot((a, a, a)": "vector.cross((a, a, a)"},
         {"import kernel\n": "import concurrent as kernel\n"},
-        {"@kernel\ndef inner": "from vmharness.explicit.kernels.compiled import inlined\n@inlined\ndef inner"},
+        {
+            "@kernel\ndef inner": "from vmharness.explicit.kernels.compiled import inlined\n@inlined\ndef inner"
+        },
     ],
     ids=lambda changes: "; ".join(f"{old} -> {new}".replace("\n", " ") for old, new in changes.items()),
 )

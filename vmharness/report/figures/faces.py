@@ -3,6 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from vmharness.round_off import ROUND_OFF, ordered
+
 Index = NDArray[np.intp]
 
 FACES = (
@@ -28,5 +30,10 @@ def outer(solids: Index) -> Index:
 
 
 def far_first(faces: Index, x: NDArray[np.float64], viewer: NDArray[np.float64]) -> Index:
-    """The faces in the order of painting: their middles by the direction `viewer` (3,) toward the eye."""
-    return faces[np.argsort(x[faces].mean(axis=1) @ viewer, kind="stable")]
+    """The faces in the order of painting: their middles by the direction `viewer` (3,) toward the eye.
+
+    Those as far as each other keep their order.
+    """
+    depth = (x[faces].mean(axis=1) @ viewer).tolist()
+    least = ROUND_OFF * float(np.abs(x).max(initial=0.0))
+    return faces[ordered(range(len(faces)), depth.__getitem__, least)]

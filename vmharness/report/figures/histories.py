@@ -12,6 +12,7 @@ from vmharness.report.figures.curves import Curve
 from vmharness.report.figures.key import Entry, columns, key_below
 from vmharness.report.figures.note import note
 from vmharness.result import CaseRun
+from vmharness.round_off import ordered, rounded
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -150,7 +151,7 @@ def _places(run: CaseRun, first: float, last: float, title: str) -> list[tuple[s
     """
     found = {name: event for name, event in run.events.items() if isinstance(event, Event)}
     places, reached = [], [max(TITLED, LETTER * max(map(len, title.split("\n"))))]
-    for name, event in sorted(found.items(), key=lambda item: item[1].time):
+    for name, event in ordered(found.items(), lambda item: item[1].time):
         half = LETTER * max(len(run.case.file.events[name].title), 10) / 2
         middle = min((float(f"{event.time:.6g}") - first) / (last - first), 1.02 - half)
         level = next((row for row, end in enumerate(reached) if middle - half >= end), len(reached))
@@ -183,7 +184,7 @@ def _power(size: float, most: int = 4) -> int:
     >>> _power(1.6e11), _power(3e-8), _power(25000.0), _power(0.0)
     (11, -8, 0, 0)
     """
-    power = int(np.floor(np.log10(size))) if size > 0.0 else 0
+    power = int(f"{rounded(size):e}".partition("e")[2]) if size > 0.0 else 0
     return power if abs(power) > most else 0
 
 

@@ -11,6 +11,7 @@ from vmharness.report.figures.faces import far_first, outer
 from vmharness.report.figures.key import Entry, key
 from vmharness.report.figures.note import MIDDLE, note
 from vmharness.result import View
+from vmharness.round_off import ROUND_OFF, smallest
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -120,7 +121,8 @@ def _contacts(axes: "Axes", view: View, at: Array) -> None:
             continue
         middle = view.x[segments].mean(axis=1)
         for node in tracked:
-            nearest = int(np.argmin(np.linalg.norm(middle - view.x[node], axis=1)))
+            far = np.linalg.norm(middle - view.x[node], axis=1).tolist()
+            nearest = smallest(range(len(far)), far.__getitem__)
             line = np.array([at[node], ISOMETRIC @ middle[nearest]])
             axes.plot(*line.T, zorder=2, **CONTACT)
 
@@ -156,7 +158,7 @@ def _arrows(axes: "Axes", view: View, at: Array, size: float) -> None:
         stride = _stride(len(places), MANY)
         for place, direction in zip(places[::stride], directions[::stride], strict=True):
             start, reach = ISOMETRIC @ place, 0.13 * size * (ISOMETRIC @ direction)
-            if what == "pressure" or reach @ (middle - start) > 0.0:
+            if what == "pressure" or reach @ (middle - start) > ROUND_OFF * size**2:
                 start = start - reach
             _arrow(axes, start, start + reach, LOAD, 1.6 if stride == 1 else 0.9)
 

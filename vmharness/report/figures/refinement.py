@@ -9,7 +9,9 @@ from vmharness.report.figures.characters import ten_to, unit
 from vmharness.report.figures.histories import COLOURS, INK, MARKERS, QUIET
 from vmharness.report.figures.key import Entry, columns, key_below
 from vmharness.report.figures.note import note
+from vmharness.round_off import ROUND_OFF
 from vmharness.studies.converge.convergence import Convergence, Refined
+from vmharness.studies.converge.richardson import Kind
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -43,11 +45,16 @@ def draw(found: Convergence) -> str:
 
 
 def errors(found: Convergence, result: Refined) -> list[tuple[float, float]]:
-    """(size, |value - target| / |target|) of the levels at which a logarithm of it can be drawn."""
+    """(size, |value - target| / |target|) of the levels at which that is more than round-off.
+
+    Nothing where no level differs from the others: what is left there does not fall with the size.
+    """
+    if result.found.kind is Kind.EXACT:
+        return []
     scale = abs(result.target) or 1.0
     pairs = zip(found.levels, result.values, strict=True)
     away = [(level.size, abs(value - result.target) / scale) for level, value in pairs if value is not None]
-    return [(size, error) for size, error in away if error > 0.0]
+    return [(size, error) for size, error in away if error > ROUND_OFF]
 
 
 def _line(axes: "Axes", found: Convergence, result: Refined, i: int) -> Entry:

@@ -8,7 +8,8 @@ from vmharness.report.figures import svg
 from vmharness.report.figures.characters import ten_to, unit
 from vmharness.report.figures.histories import COLOURS, INK, QUIET
 from vmharness.report.figures.note import note
-from vmharness.studies.sweep.sample import is_logarithmic, rounded
+from vmharness.round_off import rounded
+from vmharness.studies.sweep.sample import is_logarithmic
 from vmharness.studies.sweep.swept import Swept, worst_share
 
 if TYPE_CHECKING:

@@ -1,5 +1,6 @@
 """A matplotlib figure to SVG text that is the same wherever and whenever it is drawn."""
 
+import hashlib
 import io
 import re
 from collections.abc import Iterator
@@ -32,7 +33,7 @@ METADATA = dict.fromkeys(["Date", "Creator", "Format", "Type"])
 def style(name: str) -> Iterator[None]:
     """The style within which a figure is made and written; a user's own settings have no part in it.
 
-    Identifiers follow from `name` and from what is drawn, so that several figures can share a page.
+    Identifiers follow from `name`, so that several figures can share a page.
     """
     import matplotlib
 
@@ -45,6 +46,8 @@ def style(name: str) -> Iterator[None]:
 
 def text(figure: "Figure", description: str) -> str:
     """The figure as an <svg> element, described for those who do not see it."""
+    from matplotlib import rcParams
+
     buffer = io.StringIO()
     figure.savefig(buffer, format="svg", metadata=METADATA)
     drawn = buffer.getvalue()
@@ -54,7 +57,16 @@ def text(figure: "Figure", description: str) -> str:
     drawn = re.sub(r"<!--.*?-->\n?", "", drawn, flags=re.DOTALL)
     drawn = re.sub(r"<[^<>]*>", lambda tag: _rounded(tag[0]), drawn)
     drawn = re.sub(r"[ \t]+\n", "\n", drawn)
+    drawn = _numbered(drawn, str(rcParams["svg.hashsalt"]))
     return drawn.replace("<svg ", f'<svg role="img" aria-label="{_attribute(description)}" ', 1)
+
+
+def _numbered(drawn: str, name: str) -> str:
+    """The drawing with its identifiers numbered: matplotlib's are hashes of coordinates in all their digits."""
+    prefix = f"i{hashlib.sha256(name.encode()).hexdigest()[:8]}"
+    names = dict.fromkeys(re.findall(r' id="([^"]+)"', drawn))
+    new = {old: f"{prefix}-{number}" for number, old in enumerate(names, 1)}
+    return re.sub(r'( id="|url\(#|href="#)([^")]+)', lambda found: found[1] + new[found[2]], drawn)
 
 
 def _rounded(tag: str) -> str:

@@ -111,7 +111,6 @@ def _filters() -> dict[str, Callable[..., str]]:
         "decimals": lambda value, places=4: _minus(number.decimals(value, places)),
         "minus": _minus,
         "signs": _signs,
-        "share": number.share,
         "positional": lambda value, digits=3: _minus(number.positional(value, digits)),
         "fraction": number.fraction,
         "unit": lambda text: Unit(text).html() or "–",

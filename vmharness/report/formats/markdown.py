@@ -46,7 +46,6 @@ def _filters() -> dict[str, Callable[..., str]]:
         "significant": number.significant,
         "short": number.short,
         "decimals": number.decimals,
-        "share": number.share,
         "positional": number.positional,
         "fraction": number.fraction,
         "cell": _cell,

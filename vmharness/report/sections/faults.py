@@ -10,6 +10,7 @@ import msgspec
 from vmharness.case import Case
 from vmharness.report.number import DASH, short
 from vmharness.report.section import FOLDER, Section, Table
+from vmharness.round_off import ordered
 from vmharness.studies.faults.detection import Coverage, Detection, Finding, Noticed, coverage
 
 FILE = "faults.json"
@@ -97,7 +98,7 @@ def together(detections: Sequence[Detection]) -> Section:
 def _together(cases: Mapping[str, Finding]) -> list[str]:
     """What became of one fault in all cases."""
     shares = {case: math.inf if finding.share is None else finding.share for case, finding in cases.items()}
-    far = sorted(cases, key=shares.__getitem__, reverse=True)
+    far = ordered(shares, lambda case: -shares[case])
     caught = [case for case in far if cases[case].noticed is Noticed.CAUGHT]
     missed = [case for case in far if cases[case].noticed is Noticed.MISSED]
     largest = times(cases[caught[0]].share) if caught else DASH

@@ -5,6 +5,7 @@ import msgspec
 from vmharness.case import Case
 from vmharness.report import number
 from vmharness.report.section import Figure, Section, Table
+from vmharness.round_off import ROUND_OFF
 from vmharness.studies.sweep.swept import Swept, Worst, worst_share
 
 WORST = "For each result, the point at which it uses most of its tolerance:"
@@ -77,5 +78,6 @@ def remarks(found: Swept) -> list[str]:
 
 def _row(found: Swept, result: Worst) -> list[str]:
     at = [number.short(result.at.get(name)) for name in found.ranges]
-    error = number.positional(None if result.error is None else 100.0 * result.error, 2)
-    return [result.key, str(result.failed), number.share(result.share), error, *at]
+    error = 0.0 if result.error is not None and abs(result.error) <= ROUND_OFF else result.error
+    percent = number.positional(None if error is None else 100.0 * error, 2)
+    return [result.key, str(result.failed), number.share(result.share), percent, *at]

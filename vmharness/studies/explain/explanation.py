@@ -15,6 +15,7 @@ phase lies from the mean is left open.
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from vmharness.round_off import ROUND_OFF, rounded
 from vmharness.studies.maker import Maker
 
 SAMPLING = "sampling"
@@ -120,13 +121,13 @@ def explained(
         sum(part.open for part in parts),
         "difference",
     )
-    finest = 1e-6 * allowed  # below it are round-off, and digits that no two machines share
+    finest = max(1e-6 * allowed, ROUND_OFF * abs(target))  # below it are digits that no two machines share
     shown = [_rounded(part, finest) for part in [*parts, rest]]
-    return Explained(key, label, unit, float(f"{target:.10g}"), float(f"{value:.10g}"), allowed, shown)
+    return Explained(key, label, unit, rounded(target, 10), rounded(value, 10), allowed, shown)
 
 
 def _rounded(part: Part, finest: float) -> Part:
     def tidy(number: float) -> float:
-        return float(f"{number:.3g}") if abs(number) > finest else 0.0
+        return rounded(number, 3) if abs(number) > finest else 0.0
 
     return Part(part.cause, tidy(part.value), tidy(part.open), part.how)

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from vmharness.round_off import largest
 from vmharness.studies.maker import Maker
 
 
@@ -88,4 +89,4 @@ def coverage(detections: Sequence[Detection]) -> Coverage:
 
 
 def _nearest(cases: Mapping[str, Finding]) -> Finding:
-    return max(cases.values(), key=lambda finding: finding.share or 0.0)
+    return largest(cases.values(), lambda finding: finding.share or 0.0)

@@ -7,8 +7,9 @@ from vmharness.case import Case, CaseError
 from vmharness.case.format import Sweep
 from vmharness.case.settings import as_options, with_settings
 from vmharness.formula import FormulaError
+from vmharness.round_off import largest, rounded
 from vmharness.studies.made import maker
-from vmharness.studies.measured import Measured
+from vmharness.studies.measured import Measured, Value
 from vmharness.studies.sweep import sample
 from vmharness.studies.sweep.sample import Point
 from vmharness.studies.sweep.shrink import shrink
@@ -16,6 +17,7 @@ from vmharness.studies.sweep.swept import Failing, Swept, Worst, worst_share
 from vmharness.studies.variant import Variant
 
 SIMPLER = "simpler points that might fail"
+SHARE_DIGITS = 4
 MOST = 100_000  # points of a grid, before its constraints: more would run for days
 Gather = Callable[[Sequence[Variant], str], Sequence[Measured]]  # of variants, and what they are for
 
@@ -89,7 +91,7 @@ def settings(case: Case, point: Point) -> Point:
     follow = {}
     for name in plan.set:
         unit = case.units.factor(case.file.given[name].unit)
-        follow[name] = sample.rounded(there.evaluate(f"sweep {name}") / unit, 6)
+        follow[name] = rounded(there.evaluate(f"sweep {name}") / unit, 6)
     return {**point, **follow}
 
 
@@ -126,8 +128,14 @@ def _value(case: Case, name: str, known: Point) -> float | None:
 
 
 def _share(outcome: Measured, key: str) -> float | None:
-    share = outcome.results[key].share if key in outcome.results else None
-    return None if share is None else sample.rounded(share, 4)
+    return _used(outcome.results[key]) if key in outcome.results else None
+
+
+def _used(value: Value) -> float | None:
+    """The share of a tolerance, to few digits if it is not exceeded; none of it where the error is round-off."""
+    if value.share is None or value.verdict != "pass":
+        return value.share
+    return 0.0 if value.is_round_off else rounded(value.share, SHARE_DIGITS)
 
 
 def _worst(key: str, label: str, found: Sequence[Point], outcomes: Sequence[Measured]) -> Worst:
@@ -137,14 +145,15 @@ def _worst(key: str, label: str, found: Sequence[Point], outcomes: Sequence[Meas
     failed = sum(value.verdict != "pass" for value in results.values())
     if not judged:
         return Worst(key, label, None, None, {}, 0)
-    i = max(judged, key=lambda i: float("inf") if (share := results[i].share) is None else share)
-    return Worst(key, label, results[i].share, results[i].error, dict(found[i]), failed)
+    i = largest(judged, lambda i: _size(_used(results[i])))
+    error = 0.0 if results[i].is_round_off else results[i].error
+    return Worst(key, label, _used(results[i]), error, dict(found[i]), failed)
 
 
 def _shrunk(case: Case, record: Swept, found: Sequence[Point], gather: Gather, command: str) -> Failing:
     """The worst failing point, made simpler as long as the same result fails."""
-    worst = max(record.failed, key=lambda i: worst_share(record, i))
-    key = max(record.shares, key=lambda key: _size(record.shares[key][worst]))
+    worst = largest(record.failed, lambda i: worst_share(record, i))
+    key = largest(record.shares, lambda key: _size(record.shares[key][worst]))
     plan = plan_of(case)
 
     def fails(attempts: Sequence[Point]) -> list[bool]:

@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterator, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from vmharness.round_off import rounded
+
 Range = tuple[float, float]
 Point = dict[str, float]
 
@@ -67,8 +69,3 @@ def is_logarithmic(ends: Range) -> bool:
     """Whether a range is sampled in its logarithm."""
     low, high = ends
     return low > 0.0 and high >= DECADE * low
-
-
-def rounded(value: float, digits: int) -> float:
-    """`value` to so many significant digits."""
-    return float(f"{value:.{digits - 1}e}")

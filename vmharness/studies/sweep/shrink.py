@@ -2,7 +2,8 @@
 
 from collections.abc import Callable, Mapping, Sequence
 
-from vmharness.studies.sweep.sample import DIGITS, Point, rounded
+from vmharness.round_off import rounded
+from vmharness.studies.sweep.sample import DIGITS, Point
 
 Fails = Callable[[Sequence[Point]], Sequence[bool]]
 
