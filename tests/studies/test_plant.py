@@ -57,7 +57,8 @@ def test_a_fault_says_what_it_is(fault):
     assert not fault.text.endswith(".")
 
 
-def test_each_fault_has_kernels_of_its_own():
+def test_each_fault_has_a_name_and_a_digest_of_its_own():
+    assert len({fault.name for fault in FAULTS}) == len(FAULTS) == 46
     assert len({fault.digest for fault in FAULTS}) == len(FAULTS)
     fault = FAULTS[0]
     assert replace(fault, faulty=fault.faulty + " ").digest != fault.digest

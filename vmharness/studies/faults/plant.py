@@ -4,80 +4,27 @@ The process must be new: what it has imported is sound. A kernel with the fault 
 own, since it computes something else (explicit/kernels/meaning.py).
 """
 
-import hashlib
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass
 from importlib.abc import MetaPathFinder
 from importlib.machinery import ModuleSpec, PathFinder, SourceFileLoader
 from pathlib import Path
 from types import CodeType, ModuleType
 
-from vmharness import plugins
-
-FOLDER = "vmharness.studies.faults.planted"
-
-
-class PlantError(Exception):
-    """A fault that cannot be planted: it is unknown, its text is no longer there, or its module is imported."""
+from vmharness.studies.faults.planted import FAULTS
+from vmharness.studies.faults.solver_fault import PlantError, SolverFault
 
 
-@dataclass(frozen=True)
-class Plant:
-    """A fault of a module: where it stands, the sound text and the faulty one."""
-
-    name: str  # of its file
-    text: str  # what is wrong, in words
-    kind: str  # physics, integration, or reading
-    module: str
-    sound: str
-    faulty: str
-    keywords: tuple[str, ...] = ()  # a deck without a keyword that begins with one of these cannot show it
-
-    @property
-    def digest(self) -> str:
-        """Tells this fault, with its texts, from every other."""
-        content = "\0".join((self.name, self.module, self.sound, self.faulty))
-        return f"{self.name}-{hashlib.sha256(content.encode()).hexdigest()[:16]}"
-
-    def planted(self, source: str) -> str:
-        """The `source` of its module with the fault in it; PlantError unless the sound text is there just once."""
-        if (found := source.count(self.sound)) != 1:
-            times = f"{found} times" if found else "nowhere"
-            raise PlantError(
-                f"{self.name}: {self.sound!r} stands {times} in {self.module}: bring the fault up to date"
-            )
-        return source.replace(self.sound, self.faulty)
+def faults() -> list[SolverFault]:
+    """All faults, by kind and name."""
+    return sorted(FAULTS, key=lambda one: (one.kind, one.name))
 
 
-def names() -> list[str]:
-    """The faults that there are: the files of the folder."""
-    return plugins.names(FOLDER)
-
-
-def fault(name: str) -> Plant:
+def fault(name: str) -> SolverFault:
     """The fault of that name; raises PlantError where there is none."""
-    if name not in names():
-        raise PlantError(f"no fault {name}; there are: {', '.join(names())}")
-    return of_module(plugins.module(FOLDER, name))
-
-
-def faults() -> list[Plant]:
-    """All of them, by kind and name."""
-    return sorted((fault(name) for name in names()), key=lambda one: (one.kind, one.name))
-
-
-def of_module(module: ModuleType) -> Plant:
-    """The fault that a module of the folder describes: the first line of its docstring says what is wrong."""
-    return Plant(
-        name=module.__name__.rpartition(".")[2],
-        text=(module.__doc__ or "").strip().splitlines()[0].rstrip("."),
-        kind=module.KIND,
-        module=module.MODULE,
-        sound=module.SOUND,
-        faulty=module.FAULTY,
-        keywords=getattr(module, "KEYWORDS", ()),
-    )
+    if found := next((one for one in FAULTS if one.name == name), None):
+        return found
+    raise PlantError(f"no fault {name}; there are: {', '.join(sorted(one.name for one in FAULTS))}")
 
 
 def plant(digest: str) -> None:
@@ -107,7 +54,7 @@ def source_of(module: str) -> str:
 class _Finder(MetaPathFinder):
     """Finds the faulty module, and no other."""
 
-    def __init__(self, fault: Plant) -> None:
+    def __init__(self, fault: SolverFault) -> None:
         self.fault = fault
 
     def find_spec(
@@ -123,7 +70,7 @@ class _Finder(MetaPathFinder):
 
 
 class _Loader(SourceFileLoader):
-    def __init__(self, fullname: str, path: str, fault: Plant) -> None:
+    def __init__(self, fullname: str, path: str, fault: SolverFault) -> None:
         super().__init__(fullname, path)
         self.fault = fault
 

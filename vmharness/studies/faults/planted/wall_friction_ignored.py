@@ -1,7 +1,0 @@
-"""Rigid walls have no friction."""
-
-KIND = "physics"
-MODULE = "vmharness.explicit.walls.planar.build"
-SOUND = "return math.inf if entry.fric == 1.0 else float(entry.fric)"
-FAULTY = "return 0.0"
-KEYWORDS = ("RIGIDWALL_",)
