@@ -7,8 +7,9 @@ import pytest
 
 from vmharness.backends.builtin import SOLVER
 from vmharness.case import read
-from vmharness.studies import store, variant
+from vmharness.studies import store
 from vmharness.studies.converge.levels import levels
+from vmharness.studies.sources import sources
 
 HALF = "levels  = [45, 90, 180, 360, 720]", "levels  = [90, 180, 360]"
 
@@ -49,9 +50,9 @@ def test_converge_says_the_order_and_leaves_it_for_the_page(study, here, vm):
 def test_check_names_studies_that_other_sources_made(study, here, vm, monkeypatch):
     assert vm("converge", "VM-061")[0] == 0
     made = json.loads((here / "reports/VM-061/studies/converge.json").read_text())["made_by"]
-    assert made == {"solver": SOLVER, "sources": variant.sources()}
+    assert made == {"solver": SOLVER, "sources": sources()}
     assert "study converge" not in vm("check", "VM-061")[1]
-    monkeypatch.setattr(variant, "sources", lambda: "0123abcd" * 8)
+    monkeypatch.setattr("vmharness.studies.sources.sources", lambda: "0123abcd" * 8)
     line = f"doubtful: study converge: made by sources {made['sources'][:8]}, which are now 0123abcd"
     assert line in vm("check", "VM-061")[1]
 

@@ -9,6 +9,7 @@ from vmharness.studies import store as kept
 from vmharness.studies import variant
 from vmharness.studies.gather import gather
 from vmharness.studies.measured import Measured
+from vmharness.studies.sources import sources
 from vmharness.studies.variant import Variant
 
 
@@ -70,11 +71,11 @@ def test_a_mesh_that_is_wrong_is_in_the_key(ball):
 
 
 def test_the_sources_are_the_same_on_every_machine_and_outcomes_are_not(ball, monkeypatch):
-    here, known = variant.sources(), Variant(ball).key("builtin")
+    here, known = sources(), Variant(ball).key("builtin")
     monkeypatch.setattr("vmharness.explicit.kernels.cache._processor", lambda: "model name: another")
-    for cached in (variant.sources, variant._machine):
+    for cached in (sources, variant._machine):
         cached.cache_clear()
-    assert variant.sources() == here
+    assert sources() == here
     assert Variant(ball).key("builtin") != known
     variant._machine.cache_clear()
 

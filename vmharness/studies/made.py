@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from vmharness.studies.maker import Maker
 from vmharness.studies.measured import Measured
-from vmharness.studies.variant import sources
+from vmharness.studies.sources import sources
 
 
 def maker(outcomes: Iterable[Measured]) -> Maker:

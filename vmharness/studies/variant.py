@@ -4,23 +4,12 @@ import hashlib
 import json
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-import vmharness
-from vmharness.case.digest import digest
+from vmharness.studies.sources import sources
 
 if TYPE_CHECKING:
     from vmharness.case import Case
-
-APART = {
-    "cli",
-    "execution",
-    "report",
-    "studies",
-    "suite",
-}  # folders that no measured value depends on, but for
-MEASURING = {"studies/thinning.py", "studies/measured.py"}  # which make the outcome of a run
 
 
 @dataclass(frozen=True)
@@ -41,7 +30,7 @@ class Variant:
         case = self.case
         what = [
             solver,
-            sources(),
+            sources(solver),
             _machine(),
             _files(case),
             dict(case.given),
@@ -55,25 +44,8 @@ class Variant:
 
 
 @cache
-def sources() -> str:
-    """A hash of every source of the package that a measured value may depend on, the same on every machine."""
-    package = Path(vmharness.__file__).parent
-    paths = (path.relative_to(package) for path in package.rglob("*.py"))
-    return digest(package, filter(counts, paths))
-
-
-def counts(path: Path) -> bool:
-    """Whether a measured value may depend on this source of the package.
-
-    >>> counts(Path("measure.py")), counts(Path("studies/measured.py")), counts(Path("studies/sweep/points.py"))
-    (True, True, False)
-    """
-    return path.parts[0] not in APART or path.as_posix() in MEASURING
-
-
-@cache
 def _machine() -> str:
-    """Compiler, processor and planted fault: the last bits of a value depend on them."""
+    """Compiler and processor: the last bits of a value depend on them."""
     from vmharness.explicit.kernels.cache import folder
 
     return folder().name

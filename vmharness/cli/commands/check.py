@@ -53,7 +53,7 @@ def _stale(case: Entry) -> list[str]:
     from vmharness.case.digest import inputs
     from vmharness.report.section import FOLDER
     from vmharness.report.stamp import stale
-    from vmharness.studies.variant import sources
+    from vmharness.studies.sources import sources
 
     return stale(REPORTS / case.id / FOLDER, inputs(case.folder), sources())
 
