@@ -1,4 +1,4 @@
-"""Energies and their balance."""
+"""Energies of a model, their ratio, and the check of their balance: an instability makes energy out of nothing."""
 
 from collections.abc import Iterable
 
@@ -7,10 +7,11 @@ from vmharness.explicit.force import Force
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.state import Array, State
 
-# Stored or dissipated: with the kinetic energy, the total. See `ratio`.
+# Energies that are stored or dissipated. With the kinetic energy they are the total energy.
 STORED = (
     "internal", "spring and damper", "hourglass", "contact", "friction", "released", "damping", "rigid wall",
 )  # fmt: skip
+LIMIT = 10.0  # times the energy supplied: a run with more has diverged
 
 
 def kinetic(state: State) -> float:
@@ -20,14 +21,16 @@ def kinetic(state: State) -> float:
 
 
 class KineticEnergy:
-    """The kinetic energy of a state, computed once a cycle however many ask."""
+    """The kinetic energy of a state, computed at most once a cycle."""
 
     def __init__(self, state: State) -> None:
         self.state, self.cycle, self.value = state, -1, 0.0
-        self.others: list[Array] = []  # accounts (1,) of what is not in the state's inertia: rigid bodies
+        self.others: list[
+            Array
+        ] = []  # accounts (1,) of the rotation of rigid bodies: no inertia of the state has it
 
     def __call__(self) -> float:
-        """1/2 sum m v_n^2 + I omega_n^2; to be asked for while the time loop shows its state."""
+        """1/2 sum m v_n^2 + I omega_n^2; valid while the time loop yields its state."""
         if self.cycle != self.state.cycle:
             others = sum([account.item() for account in self.others])
             self.cycle, self.value = self.state.cycle, kinetic(self.state) + others
@@ -40,11 +43,13 @@ def _kinetic(
 ) -> float:
     twice = 0.0
     for i in range(v.shape[0]):
-        moving = turning = 0.0  # summed by node: a sum over all waits for each of its terms
+        v2 = omega2 = (
+            0.0  # sums of a node: with one sum over all nodes each term would wait for the one before
+        )
         for j in range(3):
-            moving += (v[i, j] + half * a[i, j]) ** 2
-            turning += (omega[i, j] + half * alpha[i, j]) ** 2
-        twice += mass[i] * moving + inertia[i] * turning
+            v2 += (v[i, j] + half * a[i, j]) ** 2
+            omega2 += (omega[i, j] + half * alpha[i, j]) ** 2
+        twice += mass[i] * v2 + inertia[i] * omega2
     return 0.5 * twice
 
 
@@ -60,9 +65,31 @@ def stored(items: Iterable[Force | Constraint]) -> list[Array]:
 
 
 def ratio(total: float, initial: float, external_work: float) -> float:
-    """Total energy / (initial energy + external work); 1 by definition while that is zero.
+    """Energy ratio: total energy / (initial energy + external work); 1 by definition while the divisor is zero.
 
-    Total = kinetic + all of STORED. (LS-DYNA's glstat prints the same ratio.)
+    LS-DYNA prints the same ratio in glstat.
     """
-    put_in = initial + external_work
-    return total / put_in if put_in != 0.0 else 1.0
+    supplied = initial + external_work
+    return total / supplied if supplied != 0.0 else 1.0
+
+
+class Balance:
+    """Total energy, compared with the largest energy that initial state and external work have supplied so far."""
+
+    def __init__(self, state: State, kinetic: KineticEnergy, items: Iterable[Force | Constraint]) -> None:
+        items = list(items)
+        self.state, self.kinetic = state, kinetic
+        self.stored, self.work = stored(items), accounts(items, "external work")
+        self.initial = self.supplied = 0.0
+
+    def excess(self) -> str:
+        """What is wrong with the balance at t_n, if the total exceeds LIMIT times the energy supplied; else empty."""
+        # A negative account must not hide what is wrong with others: it counts as zero.
+        total = self.kinetic() + sum(max(account.item(), 0.0) for account in self.stored)
+        if self.state.cycle == 0:
+            self.initial = total
+        supplied = abs(self.initial + sum(account.item() for account in self.work))
+        self.supplied = max(self.supplied, supplied)
+        if total > LIMIT * self.supplied:
+            return f"the run has diverged: its energy is {total:.3g}, of which {self.supplied:.3g} was put in"
+        return ""

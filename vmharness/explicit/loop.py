@@ -3,14 +3,15 @@
 import math
 from collections.abc import Iterator
 
-from vmharness.explicit.balance import Balance
+from vmharness.explicit.energy import Balance
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.kernels import integrate
-from vmharness.explicit.kernels.threads import Crew
+from vmharness.explicit.kernels.threads import ThreadPool
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import State
 
-MOST_CYCLES = 1e11  # a run that would take more has a step that is as good as none
+MOST_CYCLES = 1e11  # a step with which the run would take more cycles counts as vanished
+BALANCE_EVERY = 50  # cycles between two checks of the energy balance
 
 
 def steps(model: Model) -> Iterator[State]:
@@ -20,27 +21,31 @@ def steps(model: Model) -> Iterator[State]:
         v_{n+1/2} = v_{n-1/2} + 1/2 (dt_{n-1} + dt_n) a_n        v_{1/2} = v_0 + 1/2 dt_0 a_0
         x_{n+1}   = x_n + dt_n v_{n+1/2}
 
-    It is one object, updated in place. Its `x`, `a` and forces are at t_n, `v` is v_{n-1/2}; `energy.kinetic` and
-    `probe` bring the velocity to t_n. Raises SolverError where the step vanishes or the motion is no longer finite.
+    The state is one object, updated in place. Its `x`, `a` and forces are at t_n, its `v` is v_{n-1/2};
+    `energy.kinetic` and the probes bring the velocity to t_n. Raises SolverError where the step vanishes, the motion is
+    no longer finite, or the energy balance is lost.
     """
-    s, balance, shortest = model.state, Balance(model), 0.0
-    crew = Crew(model.forces, s, model.ncpu)
-    accelerate = crew.over_nodes(integrate.accelerate)
-    advance_velocity = crew.over_nodes(integrate.advance_velocity)
-    advance_position = crew.over_nodes(integrate.advance_position)
+    s, shortest = model.state, 0.0
+    balance = Balance(s, model.kinetic, [*model.forces, *model.constraints])
+    threads = ThreadPool(model.forces, s, model.ncpu)
+    accelerate = threads.over_nodes(integrate.accelerate)
+    advance_velocity = threads.over_nodes(integrate.advance_velocity)
+    advance_position = threads.over_nodes(integrate.advance_position)
     while True:
         integrate.clear(s.f, s.moment)
-        crew.add_forces()
+        threads.add_forces()
 
         size = accelerate(s.a, s.alpha, s.f, s.moment, model.inverse_mass, model.inverse_inertia)
         if not math.isfinite(size):
-            raise SolverError(s, "the motion is no longer finite: the run has diverged", model.wildest())
+            what = "the motion is no longer finite: the run has diverged"
+            raise SolverError(s, what, model.largest_acceleration())
         for constraint in model.constraints:
             constraint.accelerate(s)
 
         yield s
         ended = s.t >= model.end_time or s.cycle >= model.end_cycle
-        balance.watch(ended)
+        if (ended or s.cycle % BALANCE_EVERY == 0) and (excess := balance.excess()):
+            raise SolverError(s, excess, model.largest_acceleration())
         if ended:
             return
 
@@ -56,7 +61,7 @@ def steps(model: Model) -> Iterator[State]:
 
 
 def check_step(model: Model, dt: float, shortest: float) -> None:
-    """Raise SolverError unless the run can go on with the step `dt`."""
+    """Raise SolverError if no element sets the step `dt`, or if it is not above `shortest`."""
     s = model.state
     if math.isinf(dt):
         raise SolverError(s, "no element limits the time step: nothing sets it; *CONTROL_TIMESTEP LCTM can")

@@ -6,7 +6,7 @@ import pytest
 from vmharness.explicit import energy
 from vmharness.explicit.build import build
 from vmharness.explicit.force import Elements
-from vmharness.explicit.kernels.threads import FEWEST, Crew, divided
+from vmharness.explicit.kernels.threads import FEWEST, ThreadPool, divided
 from vmharness.explicit.loop import steps
 from vmharness.explicit.probes import probe
 
@@ -97,7 +97,7 @@ def test_what_a_thread_raises_is_raised(deck):
     def fail(state):
         raise FloatingPointError("in a thread")
 
-    crew = Crew(model.forces, model.state, 2)
-    crew.lists[1][0].add = fail
+    threads = ThreadPool(model.forces, model.state, 2)
+    threads.others[0][0][0].add = fail
     with pytest.raises(FloatingPointError, match="in a thread"):
-        crew.add_forces()
+        threads.add_forces()

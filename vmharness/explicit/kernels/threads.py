@@ -1,8 +1,8 @@
-"""*CONTROL_PARALLEL NCPU: the elements of a model, computed by several threads.
+"""*CONTROL_PARALLEL NCPU: the forces of a model, computed by several threads.
 
-The elements of a large part become NCPU forces, each of a run of them (`shares`), and each thread has its own list of
-forces and its own sums f and moment. These are added to the state's in the order of the threads: the same bits run
-after run, though not the bits of another NCPU.
+The elements of a large part become NCPU forces, each of consecutive elements (`shares`). Each thread has its own list
+of forces and its own sums f and moment, which are added to those of the state in the order of the threads. Results are
+therefore the same bits in every run with the same NCPU, though not the bits of another NCPU.
 """
 
 import copy
@@ -29,7 +29,7 @@ def ncpu(deck: Deck) -> int:
 
 
 def shares(elements: int, threads: int) -> Iterator[slice]:
-    """Runs of elements of about equal length, one for each thread; fewer where they would be too short.
+    """Slices of consecutive elements, of about equal length, one for each thread; fewer where they would be short.
 
     >>> list(shares(5000, 2)), list(shares(1500, 2))
     ([slice(0, 2500, None), slice(2500, 5000, None)], [slice(0, 1500, None)])
@@ -39,35 +39,36 @@ def shares(elements: int, threads: int) -> Iterator[slice]:
     return (slice(*pair) for pair in pairwise(ends))
 
 
-class Crew:
-    """Threads that each add the forces of their list; the first is the caller's, and has all that are not elements."""
+class ThreadPool:
+    """Threads that each add the forces of one list; the first is the caller, and has all forces but elements'."""
 
     def __init__(self, forces: list[Force], state: State, threads: int) -> None:
-        self.state, self.lists = state, divided(forces, threads)
-        self.others = [(some, _other(state)) for some in self.lists[1:] if some]
-        self.pool = ThreadPoolExecutor(len(self.others)) if self.others else None
+        first, *others = divided(forces, threads)
+        self.state, self.forces = state, first  # of the calling thread
+        self.others = [(some, _own_forces(state)) for some in others if some]
+        self.executor = ThreadPoolExecutor(len(self.others)) if self.others else None
         self.runs = list(shares(len(state.x), threads))
-        self.collect = self.over_nodes(collect)
+        self.add_sums = self.over_nodes(add_sums)
 
     def add_forces(self) -> None:
-        """f and moment of the state, which are zero, become the sums of all forces at t_n."""
-        waiting = [self.pool.submit(self._add, *other) for other in self.others] if self.pool else ()
-        for force in self.lists[0]:
+        """Add the forces and moments of all at t_n to those of the state, which are zero."""
+        waiting = [self.executor.submit(self._add, *other) for other in self.others] if self.executor else ()
+        for force in self.forces:
             force.add(self.state)
         for done in waiting:
             other = done.result()
-            self.collect(self.state.f, self.state.moment, other.f, other.moment)
+            self.add_sums(self.state.f, self.state.moment, other.f, other.moment)
 
-    def over_nodes(self, function: Callable[..., Any]) -> Callable[..., Any]:
-        """A kernel over all nodes, computed for runs of them at once; what it returns, if anything, is summed."""
-        pool = self.pool
-        if pool is None:
-            return function
+    def over_nodes(self, kernel: Callable[..., Any]) -> Callable[..., Any]:
+        """The kernel over all nodes, run by each thread for a range of them; returned numbers are summed."""
+        executor = self.executor
+        if executor is None:
+            return kernel
 
         def by_runs(*arguments: Any) -> Any:
             cut = [[a[run] if isinstance(a, np.ndarray) else a for a in arguments] for run in self.runs]
-            waiting = [pool.submit(function, *own) for own in cut[1:]]
-            returned = [function(*cut[0]), *(done.result() for done in waiting)]
+            waiting = [executor.submit(kernel, *own) for own in cut[1:]]
+            returned = [kernel(*cut[0]), *(done.result() for done in waiting)]
             return None if returned[0] is None else sum(returned)
 
         return by_runs
@@ -80,26 +81,26 @@ class Crew:
 
 
 def divided(forces: list[Force], threads: int) -> list[list[Force]]:
-    """A list for each thread, with about as many elements as any other."""
+    """A list for each thread, with about as many elements as any other; the first has what is not elements."""
     lists: list[list[Force]] = [[] for _ in range(threads)]
-    loads = [0] * threads
+    sizes = [0] * threads
     for force in forces:
-        least = loads.index(min(loads)) if isinstance(force, Elements) else 0
+        least = sizes.index(min(sizes)) if isinstance(force, Elements) else 0
         lists[least].append(force)
-        loads[least] += force.eid.size if isinstance(force, Elements) else 0
+        sizes[least] += force.eid.size if isinstance(force, Elements) else 0
     return lists
 
 
-def _other(state: State) -> State:
-    """The same nodes in the same motion, with forces of their own."""
+def _own_forces(state: State) -> State:
+    """A state of the same arrays, but with forces and moments of its own."""
     other = copy.copy(state)
     other.f, other.moment = np.zeros_like(other.f), np.zeros_like(other.moment)
     return other
 
 
 @concurrent
-def collect(f: Array, moment: Array, own: Array, own_moment: Array) -> None:
-    """f += own, moment += own moment, which are then zero for the next cycle."""
+def add_sums(f: Array, moment: Array, own: Array, own_moment: Array) -> None:
+    """f += own, moment += own moment; the sums of the thread are then zero for the next cycle."""
     for i in range(f.shape[0]):
         for j in range(3):
             f[i, j] += own[i, j]

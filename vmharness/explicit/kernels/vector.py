@@ -7,8 +7,21 @@ from typing import TypeAlias
 
 from vmharness.explicit.kernels.compiled import inlined as inlined
 from vmharness.explicit.kernels.compiled import inlined_counted as inlined_counted
+from vmharness.explicit.model.state import Array
 
 Vector: TypeAlias = tuple[float, float, float]
+
+
+@inlined
+def row(a: Array, i: int) -> Vector:
+    """Row i of an array (n, 3)."""
+    return a[i, 0], a[i, 1], a[i, 2]
+
+
+@inlined
+def set_row(a: Array, i: int, b: Vector) -> None:
+    """Set row i of an array (n, 3)."""
+    a[i, 0], a[i, 1], a[i, 2] = b
 
 
 @inlined

@@ -89,8 +89,8 @@ class Model:
         limits = stable + [cap(self.state.t) for cap in self.caps]
         return min(limits) if limits else math.inf
 
-    def wildest(self) -> str:
-        """Which node is accelerated most, or beyond all numbers."""
+    def largest_acceleration(self) -> str:
+        """Where the largest acceleration is, or the first that is not a number."""
         largest = np.abs(np.hstack([self.state.a, self.state.alpha])).max(axis=1)
         number = self.ids[np.argmax(np.where(np.isnan(largest), np.inf, largest))]
         return f"first seen at {'node' if number > 0 else 'rigid body'} {abs(number)}"

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.explicit.error import SolverError
-from vmharness.explicit.kernels.rotation import triad
+from vmharness.explicit.kernels.rotation import rotation_matrix
 from vmharness.explicit.model.state import Array, State
 from vmharness.explicit.rigid.joint import Joints
 from vmharness.explicit.rigid.step import carry, gather, respond, rotate, spread
@@ -118,7 +118,7 @@ class Bodies:
     def momentum(self, body: int) -> Array:
         """I omega_n (3,) of a body at t_n, while the time loop shows its state."""
         s, (x, y, z) = self.q[body, 0], self.q[body, 1:]
-        axes = np.array(triad(s, (x, y, z)))
+        axes = np.array(rotation_matrix(s, (x, y, z)))
         return np.asarray(axes.T @ (self.principal[body] * (axes @ self.spin[body])))
 
     def _damp(self, s: State, rate: Array) -> None:

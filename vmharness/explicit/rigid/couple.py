@@ -12,11 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.explicit.kernels.compiled import kernel
-from vmharness.explicit.kernels.rotation import triad
+from vmharness.explicit.kernels.rotation import rotated_axes, rotation_matrix
 from vmharness.explicit.kernels.vector import add, combine, cross, dot, scale, subtract
 from vmharness.explicit.model.state import Array
 from vmharness.explicit.rigid.mobility import fill, give
-from vmharness.explicit.rigid.rotation import frame
 from vmharness.explicit.rigid.step import put, row
 
 Index = NDArray[np.intp]
@@ -38,7 +37,7 @@ def couple(
             b = body[r, side]
             arm = subtract(row(x, nodes[point[r, side]]), row(x, centre[b]))
             put(turning[r], side, cross(arm, row(d, r)))
-            fill(J, triad(q[b, 0], (q[b, 1], q[b, 2], q[b, 3])), inverse[b])
+            fill(J, rotation_matrix(q[b, 0], (q[b, 1], q[b, 2], q[b, 3])), inverse[b])
             for i in range(3):
                 if given[b, i]:
                     give(J, w, i, 0.0)
@@ -97,7 +96,7 @@ def gaps(
         for side in range(2):
             b = body[r, side]
             c = centre[b]
-            e = frame(q[b], scale(dt, row(omega, c)))
+            e = rotated_axes(q[b], scale(dt, row(omega, c)))
             end = add(add(row(x, c), scale(dt, row(v, c))), combine(e, row(arm, point[r, side])))
             apart = subtract(end, apart)
         out[r] = -dot(apart, row(d, r))

@@ -12,11 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.explicit.kernels.compiled import kernel
-from vmharness.explicit.kernels.rotation import Triad, triad
+from vmharness.explicit.kernels.rotation import Triad, rotate_orientation, rotated_axes, rotation_matrix
 from vmharness.explicit.kernels.vector import Vector, add, combine, cross, dot, inlined, scale, subtract
 from vmharness.explicit.model.state import Array
 from vmharness.explicit.rigid.mobility import fill, give, product
-from vmharness.explicit.rigid.rotation import frame, turn
 
 Index = NDArray[np.intp]
 Flags = NDArray[np.bool_]
@@ -84,7 +83,7 @@ def respond(
     kinetic[0] = 0.0
     for b in range(centre.size):
         c, T = centre[b], row(torque, b)
-        e = triad(q[b, 0], (q[b, 1], q[b, 2], q[b, 3]))
+        e = rotation_matrix(q[b, 0], (q[b, 1], q[b, 2], q[b, 3]))
         for i in range(3):
             value[i] = omega[c, i] + 0.5 * dt * alpha[c, i]
         now = condition(J, w, e, inverse[b], add(row(L, b), scale(0.5 * dt, T)), given[b], value)
@@ -124,7 +123,7 @@ def rotate(omega: Array, dt: float, centre: Index, q: Array, inverse: Array, L: 
         c = centre[b]
         for _ in range(ITERATIONS):
             before = row(omega, c)
-            e = frame(q[b], scale(0.5 * dt, before))
+            e = rotated_axes(q[b], scale(0.5 * dt, before))
             now = condition(J, w, e, inverse[b], row(L, b), given[b], omega[c])
             put(omega, c, now)
             change = subtract(now, before)
@@ -143,13 +142,13 @@ def carry(
     for b in range(centre.size):
         c = centre[b]
         w = row(omega, c)
-        momentum = product(frame(q[b], scale(0.5 * dt, w)), principal[b], w)
+        momentum = product(rotated_axes(q[b], scale(0.5 * dt, w)), principal[b], w)
         for i in range(3):
             if given[b, i]:  # momentum about a given axis is what the motion makes it
                 L[b, i] = momentum[i]
         put(turned, b, add(row(turned, b), scale(dt, w)))
-        turn(q[b], scale(dt, w))
-        e = triad(q[b, 0], (q[b, 1], q[b, 2], q[b, 3]))
+        rotate_orientation(q[b], scale(dt, w))
+        e = rotation_matrix(q[b, 0], (q[b, 1], q[b, 2], q[b, 3]))
         place = add(row(x, c), scale(dt, row(v, c)))
         for k in range(first[b], first[b + 1]):
             i = nodes[k]

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from vmharness.explicit.kernels.rotation import triad
+from vmharness.explicit.kernels.rotation import rotation_matrix
 from vmharness.explicit.model.state import Array
 
 COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "zx")
@@ -18,7 +18,7 @@ def stress_in_space(stress: Array, turn: Array) -> Array:
     array([0., 5., 0., 0., 0., 0.])
     """
     s, a, b, c = np.moveaxis(turn, -1, 0)
-    R = np.moveaxis(np.array(triad.py_func(s, (a, b, c))), (0, 1), (-1, -2))  # columns are the axes
+    R = np.moveaxis(np.array(rotation_matrix.py_func(s, (a, b, c))), (0, 1), (-1, -2))  # columns are the axes
     S = np.empty((*stress.shape[:-1], 3, 3))
     for k, (i, j) in enumerate(PLACES):
         S[..., i, j] = S[..., j, i] = stress[..., k]

@@ -22,7 +22,7 @@ from vmharness.explicit.elements.solid._rows import (
     tensor,
 )
 from vmharness.explicit.kernels.compiled import kernel
-from vmharness.explicit.kernels.rotation import half, triad, turned
+from vmharness.explicit.kernels.rotation import half_rotation, rotate_quaternion, rotation_matrix
 from vmharness.explicit.kernels.simd import LANES, put, vector
 from vmharness.explicit.kernels.vector import add, inlined, scale
 from vmharness.explicit.model.state import Array
@@ -76,10 +76,10 @@ def turn(work: Array, dt: float, kept: Array) -> None:
     for e in range(LANES):
         L = tensor(work, GRADIENT, e)
         spin = (L[2][1] - L[1][2], L[0][2] - L[2][0], L[1][0] - L[0][1])
-        t = half(scale(0.25 * dt, spin))
-        s, u = turned(kept[TURN * LANES + e], vector(kept, TURN + 1, e), t)
-        put_tensor(work, MIDDLE, e, triad(s, u))
-        s, u = turned(s, u, t)
-        put_tensor(work, NOW, e, triad(s, u))
+        t = half_rotation(scale(0.25 * dt, spin))
+        s, u = rotate_quaternion(kept[TURN * LANES + e], vector(kept, TURN + 1, e), t)
+        put_tensor(work, MIDDLE, e, rotation_matrix(s, u))
+        s, u = rotate_quaternion(s, u, t)
+        put_tensor(work, NOW, e, rotation_matrix(s, u))
         kept[TURN * LANES + e] = s
         put(kept, TURN + 1, e, u)

@@ -31,7 +31,7 @@ from vmharness.explicit.elements.solid._rows import (
 from vmharness.explicit.elements.solid._stress import stress_at_point
 from vmharness.explicit.elements.solid._viscosity import stable_step, viscosity
 from vmharness.explicit.kernels.compiled import kernel
-from vmharness.explicit.kernels.rotation import apply, strain_in_frame, stress_in_space
+from vmharness.explicit.kernels.rotation import matvec, strain_in_frame, stress_in_space
 from vmharness.explicit.kernels.simd import LANES, Indices, gather, put, scatter, vector
 from vmharness.explicit.kernels.vector import add, scale, subtract
 from vmharness.explicit.model.state import Array
@@ -72,13 +72,13 @@ def force_at_point(work: Array, stress: Array, xi: float, eta: float, zeta: floa
         s = stress_in_space(tensor(work, NOW, e), subtract(normal, (p, p, p)), shear)
         f = seven(work, FORCES, e)
         f = (
-            add(f[0], apply(s, b[0])),
-            add(f[1], apply(s, b[1])),
-            add(f[2], apply(s, b[2])),
-            add(f[3], apply(s, b[3])),
-            add(f[4], apply(s, b[4])),
-            add(f[5], apply(s, b[5])),
-            add(f[6], apply(s, b[6])),
+            add(f[0], matvec(s, b[0])),
+            add(f[1], matvec(s, b[1])),
+            add(f[2], matvec(s, b[2])),
+            add(f[3], matvec(s, b[3])),
+            add(f[4], matvec(s, b[4])),
+            add(f[5], matvec(s, b[5])),
+            add(f[6], matvec(s, b[6])),
         )
         put_seven(work, FORCES, e, f)
         work[TENSION * LANES + e] += j * p

@@ -39,7 +39,7 @@ from vmharness.explicit.elements.solid._rows import (
     tensor,
 )
 from vmharness.explicit.kernels.compiled import kernel
-from vmharness.explicit.kernels.rotation import apply
+from vmharness.explicit.kernels.rotation import matvec
 from vmharness.explicit.kernels.simd import LANES, put, vector
 from vmharness.explicit.kernels.vector import add, combine, components, dot, scale, subtract
 from vmharness.explicit.model.state import Array
@@ -84,10 +84,10 @@ def rates(work: Array, dt: float, projected: bool) -> None:
     project, half = (1.0 if projected else 0.0), -0.5 * dt
     for e in range(LANES):
         x, v, L = seven(work, X, e), seven(work, V, e), tensor(work, GRADIENT, e)
-        put(work, HOURGLASS, e, subtract(v[3], scale(project, apply(L, add(x[3], scale(half, v[3]))))))
-        put(work, HOURGLASS + 3, e, subtract(v[4], scale(project, apply(L, add(x[4], scale(half, v[4]))))))
-        put(work, HOURGLASS + 6, e, subtract(v[5], scale(project, apply(L, add(x[5], scale(half, v[5]))))))
-        put(work, HOURGLASS + 9, e, subtract(v[6], scale(project, apply(L, add(x[6], scale(half, v[6]))))))
+        put(work, HOURGLASS, e, subtract(v[3], scale(project, matvec(L, add(x[3], scale(half, v[3]))))))
+        put(work, HOURGLASS + 3, e, subtract(v[4], scale(project, matvec(L, add(x[4], scale(half, v[4]))))))
+        put(work, HOURGLASS + 6, e, subtract(v[5], scale(project, matvec(L, add(x[5], scale(half, v[5]))))))
+        put(work, HOURGLASS + 9, e, subtract(v[6], scale(project, matvec(L, add(x[6], scale(half, v[6]))))))
 
 
 @kernel

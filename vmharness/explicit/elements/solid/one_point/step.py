@@ -30,7 +30,7 @@ from vmharness.explicit.elements.solid._stress import stress_at_point
 from vmharness.explicit.elements.solid._viscosity import stable_step, viscosity
 from vmharness.explicit.elements.solid.one_point.hourglass import forces, rates
 from vmharness.explicit.kernels.compiled import kernel
-from vmharness.explicit.kernels.rotation import apply, stress_in_space
+from vmharness.explicit.kernels.rotation import matvec, stress_in_space
 from vmharness.explicit.kernels.simd import LANES, Indices, gather, scatter, vector
 from vmharness.explicit.kernels.vector import Vector, add, inlined, scale, subtract
 from vmharness.explicit.model.state import Array
@@ -62,12 +62,12 @@ def force(work: Array, stress: Array, projected: bool) -> None:
             add(s[2], scale(share, _by_x(Q4[2], Q5[2], Q6[2], Q7[2], x[3], x[4], x[5], x[6]))),
         )
         f = (
-            apply(T, b[0]),
-            apply(T, b[1]),
-            apply(T, b[2]),
-            add(apply(T, b[3]), Q4),
-            add(apply(T, b[4]), Q5),
-            add(apply(T, b[5]), Q6),
+            matvec(T, b[0]),
+            matvec(T, b[1]),
+            matvec(T, b[2]),
+            add(matvec(T, b[3]), Q4),
+            add(matvec(T, b[4]), Q5),
+            add(matvec(T, b[5]), Q6),
             Q7,
         )
         put_nodes(work, F, e, nodal(f))
