@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING
 import click
 
 from vmharness.cli.gathering import gathered, write_record
-from vmharness.cli.one import one
 from vmharness.cli.options import How, studying
 from vmharness.cli.say import complain, say, say_rows
-from vmharness.cli.selection import CASES
+from vmharness.cli.selection import CASES, one
 from vmharness.suite.outcome import EXIT_CODES, Status
 
 if TYPE_CHECKING:

@@ -7,9 +7,8 @@ import click
 
 from vmharness.cli.gathering import gathered, write_record
 from vmharness.cli.options import How, studying
-from vmharness.cli.read import read_cases
 from vmharness.cli.say import complain, plain_table, say, say_table
-from vmharness.cli.selection import selected, selecting
+from vmharness.cli.selection import read_cases, selected, selecting
 from vmharness.suite.outcome import EXIT_CODES, NOTHING_SELECTED, Status, exit_code
 
 if TYPE_CHECKING:

@@ -4,12 +4,11 @@ from pathlib import Path
 
 import click
 
-from vmharness.cli.again import again
 from vmharness.cli.gathering import gathered, write_record
-from vmharness.cli.one import one
 from vmharness.cli.options import How, studying
+from vmharness.cli.rerun import rerun_commands
 from vmharness.cli.say import complain, say, say_rows
-from vmharness.cli.selection import CASES
+from vmharness.cli.selection import CASES, one
 from vmharness.suite.outcome import EXIT_CODES, Status
 from vmharness.suite.select import Entry
 
@@ -59,7 +58,7 @@ def command(
             chosen,
             words,
             lambda variants, what: gathered(variants, how, f"{case.id}: {what}", workers=workers),
-            again([Entry(case.folder)], options)[case.id],
+            rerun_commands([Entry(case.folder)], options)[case.id],
         )
     for table in tables(found):
         say_rows(table)
