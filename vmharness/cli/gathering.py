@@ -52,9 +52,9 @@ def gathered(
 def write_record(root: Path, case: str, name: str, record: Any, json: Path | None) -> None:
     """Leave the record of a study for the page of the case, and write the same where --json asks for it."""
     from vmharness.execution import atomic
-    from vmharness.report import section
+    from vmharness.report import records
 
-    path = section.write(root, case, name, record)
+    path = records.write(root, case, name, record)
     if json is not None:
         atomic.write(json, path.read_text(encoding="utf-8"))
     say(f"{path}: `vm run {case}` shows it on the page")

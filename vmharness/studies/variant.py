@@ -65,7 +65,7 @@ def sources() -> str:
 def counts(path: Path) -> bool:
     """Whether a measured value may depend on this source of the package.
 
-    >>> counts(Path("measure.py")), counts(Path("studies/measured.py")), counts(Path("studies/sweep/points.py"))
+    >>> counts(Path("measure.py")), counts(Path("studies/measured.py")), counts(Path("studies/sweep/runs.py"))
     (True, True, False)
     """
     return path.parts[0] not in APART or path.as_posix() in MEASURING

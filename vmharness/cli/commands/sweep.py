@@ -41,7 +41,7 @@ def command(
     from vmharness.case import CaseError
     from vmharness.report.sections.sweep import plan, remarks, tables, verdict
     from vmharness.studies.gather import pool
-    from vmharness.studies.sweep import points as sweep
+    from vmharness.studies.sweep import runs as sweep
 
     if points is not None and grid is not None:
         raise click.UsageError("--points and --grid do not go together")
@@ -53,7 +53,7 @@ def command(
         return EXIT_CODES[Status.BROKEN]
     options = {"selectors": [selector], "cases": cases, "solver": how.solver, "timeout": how.timeout}
     with pool(how.jobs, how.solver) as workers:
-        found = sweep.swept(
+        found = sweep.record(
             case,
             chosen,
             words,
