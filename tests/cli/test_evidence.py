@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from vmharness.studies.faults import study as faults
+from vmharness.studies.faults import runs as faults
 
 FEW = ("G +1 %", "RHO +1 %", "half_step_start")
 
@@ -28,7 +28,7 @@ def few(monkeypatch):
 
 
 def test_faults_are_scored_and_kept_for_the_page(ball, vm, here, few, monkeypatch):
-    monkeypatch.setattr("vmharness.studies.store.root", lambda: here / "cache")
+    monkeypatch.setattr("vmharness.studies.gather.root", lambda: here / "cache")
     coarse(ball)
     code, out, _ = vm("faults", "VM-061", "-j", "1", "--json", "all.json")
     assert code == 0

@@ -7,8 +7,8 @@ import pytest
 
 from vmharness.backends.builtin import SOLVER
 from vmharness.case import read
-from vmharness.studies import store
-from vmharness.studies.converge.levels import levels
+from vmharness.studies import gather
+from vmharness.studies.converge.runs import variants
 from vmharness.studies.sources import sources
 
 HALF = "levels  = [45, 90, 180, 360, 720]", "levels  = [90, 180, 360]"
@@ -17,7 +17,7 @@ HALF = "levels  = [45, 90, 180, 360, 720]", "levels  = [90, 180, 360]"
 @pytest.fixture
 def study(ball, tmp_path, monkeypatch):
     """VM-061 with three levels, and a store of outcomes of its own."""
-    monkeypatch.setattr(store, "root", lambda: tmp_path / "store")
+    monkeypatch.setattr(gather, "root", lambda: tmp_path / "store")
     folder = ball()
     change(folder, HALF, ("t_peak/(1e4*0.9*L)", "t_peak/(5e3*0.9*L)"))
     return folder
@@ -113,7 +113,7 @@ def test_a_case_without_a_plan_says_so(study, vm):
 def test_what_is_done_when_interrupted_is_taken_up_again(ball, vm_process):
     folder = ball()
     change(folder, (HALF[0], f"levels  = [45, 90, 4000000]  # {time.time_ns()}: never run before"))
-    first, second, endless = [store.path(variant.key("builtin")) for variant in levels(read(folder))]
+    first, second, endless = [gather.kept_file(variant.key("builtin")) for variant in variants(read(folder))]
     process = vm_process("converge", "VM-061", "-j", "1")
     while not (first.exists() and second.exists()):
         assert process.poll() is None

@@ -4,14 +4,14 @@ import pytest
 
 from vmharness import report
 from vmharness.reading import last_cycles
-from vmharness.report import section
+from vmharness.report import records
 from vmharness.report.sections import faults
-from vmharness.studies.explain.explanation import SAMPLING, Column, Explanation, Part, explained
-from vmharness.studies.faults.detection import Detection, Finding, Noticed
+from vmharness.studies.explain.record import SAMPLING, Column, ExplainRecord, Part, explained
+from vmharness.studies.faults.record import FaultsRecord, Finding, Noticed
 
 
 def detection(case, *findings):
-    return Detection(case.id, case.sha256, list(findings))
+    return FaultsRecord(case.id, case.sha256, list(findings))
 
 
 @pytest.fixture
@@ -33,7 +33,7 @@ def planted(good):
 
 
 def test_faults_are_on_the_page_and_in_the_index(good, planted, tmp_path):
-    section.write(tmp_path, good.case.id, "faults", planted)
+    records.write(tmp_path, good.case.id, "faults", planted)
     report.write_case(good, tmp_path)
     page = (tmp_path / good.case.id / "README.md").read_text()
     assert "Of 3 planted faults that change this run, 2 are caught" in page
@@ -56,9 +56,9 @@ def test_a_row_of_the_index_names_the_cases_that_notice_a_fault_the_farthest_off
         return Finding("lag", "Times are late", "reading", how, "t", share)
 
     others = [
-        Detection("B", "0", [noticed(Noticed.CAUGHT, 2.0)]),
-        Detection("C", "0", [noticed(Noticed.CAUGHT, 70.0)]),
-        Detection("D", "0", [noticed(Noticed.UNSEEN, 0.0)]),
+        FaultsRecord("B", "0", [noticed(Noticed.CAUGHT, 2.0)]),
+        FaultsRecord("C", "0", [noticed(Noticed.CAUGHT, 70.0)]),
+        FaultsRecord("D", "0", [noticed(Noticed.UNSEEN, 0.0)]),
     ]
     (table,) = faults.together([planted, *others]).tables
     assert list(table.head) == ["Fault", "Caught by", "Farthest off, in tolerances", "Changes without notice"]
@@ -66,7 +66,7 @@ def test_a_row_of_the_index_names_the_cases_that_notice_a_fault_the_farthest_off
         ["Times are late", "C, B", "70 ×", good.case.id],
         ["Friction pulls", "–", "–", "–"],
     ]
-    refused = Detection("E", "0", [noticed(Noticed.CAUGHT, None)])
+    refused = FaultsRecord("E", "0", [noticed(Noticed.CAUGHT, None)])
     found = faults.together([planted, *others, refused])
     assert found.tables[0].rows[0][1:3] == ["E, C, B", "no result"]
     assert found.summary == "1 of 2"
@@ -86,7 +86,7 @@ def test_a_column_that_the_case_says_how_to_read_is_explained_once(good, tmp_pat
     read = explained("z_peak", "Z", "in", -1.55, -1.5505, 1e-5, [Part(SAMPLING, -5e-4)])
     others = {"ke_impact": "states at their very times", "t_peak": "another"}
     column = Column("LS-DYNA", "computed", last_cycles(0.001, "s"), [], ["z_peak"], others, [read])
-    section.write(tmp_path, good.case.id, "explain", Explanation(good.case.id, "0", [read], [column]))
+    records.write(tmp_path, good.case.id, "explain", ExplainRecord(good.case.id, "0", [read], [column]))
     report.write_case(good, tmp_path)
     for name in ("README.md", "index.html"):
         page = (tmp_path / good.case.id / name).read_text()
@@ -111,8 +111,8 @@ def test_parts_are_shares_of_the_tolerance_and_drawn(good, tmp_path):
         "LS-DYNA", "computed", "states 0.001 s apart", [0.002], ["z_peak"], {"ke": "another"}, [read]
     )
     target = Column("VM65", "target", "", [], [], {}, [read])
-    record = Explanation(good.case.id, good.case.sha256, [own], [column, target], ["the mesh is fixed"])
-    section.write(tmp_path, good.case.id, "explain", record)
+    record = ExplainRecord(good.case.id, good.case.sha256, [own], [column, target], ["the mesh is fixed"])
+    records.write(tmp_path, good.case.id, "explain", record)
     report.write_case(good, tmp_path)
     page = (tmp_path / good.case.id / "README.md").read_text()
     assert "| z_peak | 20 | 20 | -10 | 10 | 5 |" in page

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import pytest
 
 from vmharness import report
-from vmharness.report import section
-from vmharness.report.stamp import stale
-from vmharness.studies.faults.detection import Detection
+from vmharness.report import records
+from vmharness.report.records import stale
+from vmharness.studies.faults.record import FaultsRecord
 from vmharness.studies.maker import Maker
 
 OURS, OTHERS = "a1" * 32, "b2" * 32
@@ -23,7 +23,7 @@ class Old:
 
 
 def record(case, sources=OURS, case_sha256=None):
-    return Detection(case.id, case_sha256 or case.inputs_sha256, [], Maker("vmharness 9.9.9", sources))
+    return FaultsRecord(case.id, case_sha256 or case.inputs_sha256, [], Maker("vmharness 9.9.9", sources))
 
 
 def page(run, folder):
@@ -33,14 +33,14 @@ def page(run, folder):
 
 
 def test_the_page_says_what_made_a_study(good, tmp_path):
-    section.write(tmp_path, good.case.id, "faults", record(good.case))
+    records.write(tmp_path, good.case.id, "faults", record(good.case))
     markdown, html = page(good, tmp_path)
     assert "\n*Made by vmharness 9.9.9, sources a1a1a1a1.*\n" in markdown
     assert '<p class="reasons other">Made by vmharness 9.9.9, sources a1a1a1a1.</p>' in html
 
 
 def test_a_record_of_before_is_read_and_says_that_its_maker_is_unknown(good, tmp_path):
-    section.write(tmp_path, good.case.id, "faults", Old(good.case.id, good.case.inputs_sha256))
+    records.write(tmp_path, good.case.id, "faults", Old(good.case.id, good.case.inputs_sha256))
     markdown, _ = page(good, tmp_path)
     assert "## Faults\n" in markdown
     assert "*What made it is not recorded.*" in markdown
@@ -55,13 +55,13 @@ def test_a_record_of_before_is_read_and_says_that_its_maker_is_unknown(good, tmp
     ],
 )
 def test_what_would_be_made_otherwise_is_stale(good, tmp_path, sources, case_sha256, said):
-    path = section.write(tmp_path, good.case.id, "faults", record(good.case, sources, case_sha256))
+    path = records.write(tmp_path, good.case.id, "faults", record(good.case, sources, case_sha256))
     assert stale(path.parent, good.case.inputs_sha256, OURS) == said
 
 
 def test_studies_that_are_stale_for_one_reason_are_named_together(good, tmp_path):
     for name in ("converge", "sweep"):
-        path = section.write(tmp_path, good.case.id, name, Old(good.case.id, good.case.inputs_sha256))
+        path = records.write(tmp_path, good.case.id, name, Old(good.case.id, good.case.inputs_sha256))
     (path.parent / "faults.json").write_text("nothing")
     assert stale(path.parent, good.case.inputs_sha256, OURS) == [
         "study converge, sweep: what made it is not recorded",

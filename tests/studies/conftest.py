@@ -11,7 +11,7 @@ CASES = Path(__file__).parents[2] / "cases"
 @pytest.fixture
 def store(tmp_path, monkeypatch):
     """A store of outcomes that is empty, beside the compiled kernels that there are."""
-    monkeypatch.setattr("vmharness.studies.store.root", lambda: tmp_path)
+    monkeypatch.setattr("vmharness.studies.gather.root", lambda: tmp_path)
     return tmp_path
 
 

@@ -6,8 +6,8 @@ import pytest
 
 from vmharness.case import CaseError, read
 from vmharness.report.sections import converge as page
-from vmharness.studies.converge.levels import convergence, levels
 from vmharness.studies.converge.richardson import Kind
+from vmharness.studies.converge.runs import record, variants
 from vmharness.studies.gather import gather
 from vmharness.studies.measured import Measured, Value
 
@@ -21,8 +21,8 @@ def planned(case, **changes):
 
 
 def study(case):
-    found = {n: event for n, event in gather(levels(case)) if isinstance(event, Measured)}
-    return convergence(case, [found[n] for n in range(len(found))])
+    found = {n: event for n, event in gather(variants(case)) if isinstance(event, Measured)}
+    return record(case, [found[n] for n in range(len(found))])
 
 
 def measured(case, error):
@@ -66,20 +66,20 @@ def test_halving_its_step_alone_is_not_asymptotic(store, short):
 
 
 def test_a_solver_of_the_first_order_does_not_agree_with_a_promised_second(short):
-    found = convergence(short, measured(short, lambda h: 0.3 * h))
+    found = record(short, measured(short, lambda h: 0.3 * h))
     assert [result.found.order for result in found.results] == pytest.approx([1.0] * 6)
     assert not any(result.agrees for result in found.results)
     assert page.summary(found) == "not of the promised order"
 
 
 def test_a_solver_that_converges_to_something_else_leaves_theory_outside(short):
-    found = convergence(short, measured(short, lambda h: 1e-3 + 0.3 * h**3))
+    found = record(short, measured(short, lambda h: 1e-3 + 0.3 * h**3))
     assert all(result.agrees for result in found.results)
     assert not any(result.inside for result in found.results)
 
 
 def test_exact_is_what_no_level_moves(short):
-    found = convergence(short, measured(short, lambda h: 0.0))
+    found = record(short, measured(short, lambda h: 0.0))
     assert {result.found.kind for result in found.results} == {Kind.EXACT}
     assert all(result.agrees and result.inside for result in found.results)
     assert page.summary(found) == "exact"
@@ -88,13 +88,13 @@ def test_exact_is_what_no_level_moves(short):
 def test_a_level_that_fails_is_said(short):
     outcomes = measured(short, lambda h: h**2)
     outcomes[2] = Measured(failure="diverged")
-    found = convergence(short, outcomes)
+    found = record(short, outcomes)
     assert {result.found.kind for result in found.results} == {Kind.NO_VALUE}
     assert "N = 180: diverged." in page.remarks(found)
 
 
 def test_the_section_of_the_page(short):
-    found = convergence(short, measured(short, lambda h: 0.3 * h**3))
+    found = record(short, measured(short, lambda h: 0.3 * h**3))
     section = page.section(msgspec.json.encode(found), short)
     assert section.summary == "order 3.0"
     orders = section.tables[1]
@@ -110,19 +110,19 @@ def test_levels_that_move_a_target_are_refused(short):
     moved = planned(moved, set={"rho": "rho*N", "k": "k*N"})
     moved = replace(moved, formulas={**moved.formulas, "converge k": type(short.formulas["t_impact"])("k*N")})
     with pytest.raises(CaseError, match=r"VM-061: \[converge\] N = 45 moves the target of t_peak"):
-        levels(moved)
+        variants(moved)
 
 
 def test_a_case_that_plans_no_refinement_says_so():
     ball = read(BALL)
     case = replace(ball, file=msgspec.structs.replace(ball.file, converge=None))
     with pytest.raises(CaseError, match=r"VM-061: has no \[converge\]"):
-        levels(case)
+        variants(case)
 
 
 def test_what_has_no_order_is_not_called_exact(short):
     wild = planned(short, orders={})
-    found = convergence(wild, measured(short, lambda h: (-1) ** round(1 / h) * h))
+    found = record(wild, measured(short, lambda h: (-1) ** round(1 / h) * h))
     assert {result.found.kind for result in found.results} <= {
         Kind.OSCILLATES,
         Kind.NOT_ASYMPTOTIC,

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 from vmharness.case import CaseError, read
-from vmharness.studies.explain.explanation import SAMPLING, Part, explained, halved
-from vmharness.studies.explain.variants import (
+from vmharness.studies.explain.record import SAMPLING, Part, explained, halved
+from vmharness.studies.explain.runs import (
     NUMBERS,
     PENALTY,
     SOUND,
     STIFF,
     TIME_STEP,
-    explanation,
+    record,
     variants,
 )
 from vmharness.studies.faults import plant
@@ -38,7 +38,7 @@ def explain(case, fault=""):
         n: event for n, event in gather(list(runs.values()), plant=plant.plant) if isinstance(event, Measured)
     }
     outcomes = {name: done[n] for n, name in enumerate(runs)}
-    return {one.key: one for one in explanation(case, outcomes).results}
+    return {one.key: one for one in record(case, outcomes).results}
 
 
 def parts(one):
@@ -82,7 +82,7 @@ def test_a_penalty_that_is_no_datum_is_told_by_twice_the_stiffness(store, coarse
 
 def test_a_failed_run_is_not_explained(coarse):
     with pytest.raises(CaseError, match="the run that is to be explained failed: it diverged"):
-        explanation(coarse, {SOUND: Measured(failure="it diverged")})
+        record(coarse, {SOUND: Measured(failure="it diverged")})
 
 
 def test_a_sequence_that_converges_is_carried_to_zero():

@@ -11,8 +11,8 @@ from vmharness.backends.builtin import read_deck
 from vmharness.case import read
 from vmharness.studies.faults import deck_faults, plant
 from vmharness.studies.faults.deck_faults import Planted
-from vmharness.studies.faults.detection import Noticed, coverage
-from vmharness.studies.faults.study import StudyError, detection, finding, planted
+from vmharness.studies.faults.record import Noticed, coverage
+from vmharness.studies.faults.runs import StudyError, finding, planted, record
 from vmharness.studies.gather import gather
 from vmharness.studies.measured import Measured, Value
 from vmharness.studies.variant import Variant
@@ -37,7 +37,7 @@ def studied(case, *names):
     (sound,) = run([Variant(case)])
     chosen = [fault for fault in planted(case, sound) if fault.name in names]
     assert len(chosen) == len(names)
-    found = detection(case, sound, chosen, run([fault.variant for fault in chosen]))
+    found = record(case, sound, chosen, run([fault.variant for fault in chosen]))
     return found, {one.fault: one for one in found.findings}
 
 
@@ -114,7 +114,7 @@ def test_a_number_of_the_model_that_nothing_depends_on_is_harmless(ball):
     ]
     refused = Measured(failure="must be positive")
     moved = [refused if "sign" in fault.name else replace(SOUND, history_sha256="b") for fault in chosen]
-    by = {one.fault: one for one in detection(ball, SOUND, chosen, moved).findings}
+    by = {one.fault: one for one in record(ball, SOUND, chosen, moved).findings}
     assert by["RHO 1000 times as large"].noticed is Noticed.HARMLESS
     assert by["RHO +1 %"].noticed is Noticed.HARMLESS
     assert by["SLSFAC +1 %"].noticed is Noticed.MISSED  # it follows from k, which is of the problem

@@ -5,9 +5,8 @@ from pathlib import Path
 import pytest
 
 from vmharness.case import read
-from vmharness.studies import store as kept
 from vmharness.studies import variant
-from vmharness.studies.gather import gather
+from vmharness.studies.gather import gather, keep, kept, kept_file
 from vmharness.studies.measured import Measured
 from vmharness.studies.sources import sources
 from vmharness.studies.variant import Variant
@@ -107,10 +106,10 @@ def test_files_elsewhere_that_a_deck_includes_are_in_the_key(ball, tmp_path):
 
 
 def test_an_outcome_that_cannot_be_read_is_not_there(store):
-    kept.keep("ab12", Measured(cycles=3))
-    assert kept.load("ab12").cycles == 3
-    kept.path("ab12").write_text("{")
-    assert kept.load("ab12") is None
+    keep("ab12", Measured(cycles=3))
+    assert kept("ab12").cycles == 3
+    kept_file("ab12").write_text("{")
+    assert kept("ab12") is None
 
 
 def test_a_fault_of_the_solver_is_planted_in_a_process_of_its_own(store, ball, work):

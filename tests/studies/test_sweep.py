@@ -11,7 +11,7 @@ from vmharness.formula import Formula
 from vmharness.report.sections import sweep as page
 from vmharness.run import run
 from vmharness.studies.measured import measured
-from vmharness.studies.sweep.points import points, settings, swept
+from vmharness.studies.sweep.runs import points, record, settings
 
 BALL = Path(__file__).parents[2] / "cases" / "VM-061"
 COARSE = "E/(1 - nu^2)*(t_peak/(500*0.9*L))^2"  # 500 steps to the lowest point
@@ -36,7 +36,7 @@ def gathered(variants, what):
 
 def study(case, count=5):
     chosen, how = points(case, count, 0, None)
-    return swept(case, chosen, how, gathered)
+    return record(case, chosen, how, gathered)
 
 
 def loose(case):
@@ -81,7 +81,7 @@ def test_a_formula_that_is_right_at_one_point_only_is_caught(case):
 
 def test_a_point_at_which_theory_has_no_value_cannot_be_judged(case):
     chosen = [{"k": 1000.0, "h": -1.0, "g": 386.0}, {"k": 1000.0, "h": 1.0, "g": 386.0}]
-    found = swept(loose(case), chosen, "two points", gathered)
+    found = record(loose(case), chosen, "two points", gathered)
     assert list(found.unjudged) == [0]
     assert "[theory] t_impact" in found.unjudged[0]
     assert found.failed == []

@@ -4,11 +4,10 @@ import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from vmharness.case.change import CHANGE, HOW
 from vmharness.case.decode import FILE
-from vmharness.case.error import CaseError
+from vmharness.case.error import CaseError, near
 from vmharness.case.format import ELEMENTS, EVENTS, OWNERS, CaseFile, Event, as_line
-from vmharness.case.near import near
+from vmharness.case.settings import CHANGE, HOW
 from vmharness.case.template import SUFFIX
 from vmharness.formula import Dimension, Formula, FormulaError, Unit, UnitError, UnitSystem
 

@@ -7,9 +7,8 @@ from typing import Any
 
 import msgspec
 
-from vmharness.case.error import CaseError
+from vmharness.case.error import CaseError, near
 from vmharness.case.format import CaseFile
-from vmharness.case.near import near
 
 FILE = "case.toml"
 

@@ -6,9 +6,9 @@ from msgspec.structs import asdict
 
 from vmharness.case.case import Case, evaluate_theory
 from vmharness.case.check import Checks
+from vmharness.case.check_studies import check_converge, check_sweep, planned
 from vmharness.case.decode import FILE, decode
 from vmharness.case.error import CaseError
-from vmharness.case.plans import check_converge, check_sweep, planned
 from vmharness.formula import UnitError, UnitSystem
 
 

@@ -1,10 +1,16 @@
-"""Data of a case set to other values: `m=0.4`."""
+"""Data of a case set to other values, `m=0.4`, or changed by a fault, `+1 %`."""
 
+import re
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
+from vmharness.case.error import CaseError, near
+
 if TYPE_CHECKING:
     from vmharness.case import Case
+
+CHANGE = r"(?P<sign>[-+])\s*(?P<percent>\d+\.?\d*)\s*%|=\s*(?P<value>[-+]?\d+\.?\d*([eE][-+]?\d+)?)"
+HOW = 'write "+1 %", "-0.1 %" or "=2.0"'
 
 
 class SettingError(ValueError):
@@ -37,9 +43,6 @@ def with_settings(case: "Case", settings: Mapping[str, float]) -> "Case":
 
     Raises CaseError for data that the case does not have, or that leave a target or parameter without a value.
     """
-    from vmharness.case import CaseError
-    from vmharness.case.near import near
-
     for name in settings:
         if name not in case.given:
             raise CaseError(f"{case.id}: no given datum {name}{near(name, case.given)}")
@@ -71,3 +74,17 @@ def label(id: str, settings: Mapping[str, float]) -> str:
     'VM-061@k=2000,m=0.4'
     """
     return f"{id}@{','.join(_assigned(name, value) for name, value in settings.items())}"
+
+
+def changed_value(value: float, change: str, unit: float) -> float:
+    """`value` after a change such as "+1 %" or "=2.0", the latter in a unit of the size `unit`.
+
+    >>> changed_value(200.0, "-0.5 %", 10.0), changed_value(200.0, "=2.0", 10.0)
+    (199.0, 20.0)
+    """
+    parts = re.fullmatch(CHANGE, change)
+    if parts is None:
+        raise CaseError(f'change "{change}": {HOW}')
+    if parts["value"] is not None:
+        return float(parts["value"]) * unit
+    return value * (1.0 + float(parts["sign"] + parts["percent"]) / 100.0)

@@ -6,6 +6,6 @@ from collections.abc import Sequence
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code."""
     # Imported here: a spawned worker imports the script that it was started from, and this with it, but needs no click.
-    from vmharness.cli.guard import guarded
+    from vmharness.cli.vm import guarded
 
     return guarded(arguments)

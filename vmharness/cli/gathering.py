@@ -1,12 +1,11 @@
 """Variants run for a study: progress on a terminal, and how many outcomes came from disk."""
 
-import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from vmharness.cli.options import How
+from vmharness.cli.progress import study_bar
 from vmharness.cli.say import complain, say
 
 if TYPE_CHECKING:
@@ -33,7 +32,7 @@ def gathered(
 
     found: dict[int, Measured] = {}
     try:
-        with _bar(what, len(variants)) as bar:
+        with study_bar(what, len(variants)) as bar:
             for number, event in gather(variants, how.jobs, how.timeout, how.solver, plant, workers):
                 if isinstance(event, Measured):
                     found[number] = event
@@ -53,39 +52,9 @@ def gathered(
 def write_record(root: Path, case: str, name: str, record: Any, json: Path | None) -> None:
     """Leave the record of a study for the page of the case, and write the same where --json asks for it."""
     from vmharness.execution import atomic
-    from vmharness.report import section
+    from vmharness.report import records
 
-    path = section.write(root, case, name, record)
+    path = records.write(root, case, name, record)
     if json is not None:
         atomic.write(json, path.read_text(encoding="utf-8"))
     say(f"{path}: `vm run {case}` shows it on the page")
-
-
-class Advance(Protocol):
-    """Shows that a variant is done to a fraction."""
-
-    def __call__(self, number: int, fraction: float) -> None: ...
-
-
-@contextmanager
-def _bar(what: str, count: int) -> Iterator[Advance]:
-    """One bar for all variants, on a terminal only."""
-    if not sys.stdout.isatty():
-        yield lambda number, fraction: None
-        return
-    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
-
-    columns = (
-        TextColumn("{task.description}"),
-        BarColumn(),
-        TextColumn("{task.completed:.1f} of {task.total}"),
-    )
-    fractions: dict[int, float] = {}
-    with Progress(*columns, TimeElapsedColumn(), transient=True) as bars:
-        task = bars.add_task(what, total=count)
-
-        def advance(number: int, fraction: float) -> None:
-            fractions[number] = fraction
-            bars.update(task, completed=sum(fractions.values()))
-
-        yield advance

@@ -11,7 +11,6 @@ from typing import Any, TypeVar
 import click
 
 import vmharness
-from vmharness.case import settings
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -97,7 +96,7 @@ def _jobs_option(default: str, help: str) -> Callable[[Command], Command]:
 
 def formats(command: Command) -> Command:
     """Add an option --FORMAT FILE for each format for machines; `files` then tells which were given."""
-    for name in reversed(_folder("report/files")):
+    for name in reversed(_folder("report/exports")):
         command = click.option(
             f"--{name}",
             type=FILE,
@@ -111,7 +110,7 @@ def formats(command: Command) -> Command:
 
 def files(ctx: click.Context) -> dict[str, Path]:
     """Which formats are to be written, and where to."""
-    return {name: path for name, path in ctx.meta.items() if name in _folder("report/files")}
+    return {name: path for name, path in ctx.meta.items() if name in _folder("report/exports")}
 
 
 def _jobs(ctx: click.Context, parameter: click.Parameter, value: str) -> int:
@@ -129,6 +128,8 @@ def _solver(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
 
 
 def _data(ctx: click.Context, parameter: click.Parameter, values: tuple[str, ...]) -> dict[str, float]:
+    from vmharness.case import settings
+
     try:
         return settings.parse(values)
     except settings.SettingError as error:

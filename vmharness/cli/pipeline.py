@@ -7,9 +7,9 @@ from pathlib import Path
 
 from vmharness.case import settings
 from vmharness.cli import reports
-from vmharness.cli.bars import shown
-from vmharness.cli.read import read_cases
+from vmharness.cli.progress import case_bars
 from vmharness.cli.say import complain, say
+from vmharness.cli.selection import read_cases
 from vmharness.execution.pool import Pool
 from vmharness.suite import last_run
 from vmharness.suite.judge import judged, solving
@@ -53,7 +53,7 @@ def run_cases(found: Sequence[Entry], wanted: Wanted) -> tuple[list[Outcome], li
             reports.get_ready()
         events = judged(pool, cases, wanted.solver, wanted.timeout)
         try:
-            for outcome in shown(events, [case.id for case in cases]):
+            for outcome in case_bars(events, [case.id for case in cases]):
                 outcomes.append(outcome)
                 unwritten += _page(outcome, wanted)
                 if len(cases) > 1:

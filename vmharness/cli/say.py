@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from vmharness.report.section import Table as Rows
+    from vmharness.report.blocks import Table as Rows
 
 WIDTH_OF_A_PIPE = 160
 RIGHT = {"Target", "Computed", "Value", "Cycles", "Seconds"} | {

@@ -1,13 +1,17 @@
-"""Arguments that select cases, the same for every command."""
+"""Cases selected by the arguments of a command, and read."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
 from vmharness.cli.say import complain, say
+from vmharness.suite.outcome import Outcome, Status
 from vmharness.suite.select import Entry, SelectError, cases_folder, select
+
+if TYPE_CHECKING:
+    from vmharness.case import Case
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -50,3 +54,34 @@ def selected(
     for problem in unknown.values():
         complain(problem)
     return found, unknown
+
+
+def one(selector: str, cases: Path | None) -> "Case":
+    """The case that `selector` names, read; raises CaseError, or UsageError where it means none or several."""
+    from vmharness.case import read
+
+    try:
+        found, unknown = select(cases_folder(cases), (selector,))
+    except SelectError as error:
+        raise click.UsageError(str(error)) from None
+    for problem in unknown.values():
+        raise click.UsageError(problem)
+    if len(found) > 1:
+        raise click.UsageError(f"{selector} means {len(found)} cases; name one")
+    return read(found[0].folder)
+
+
+def read_cases(found: Sequence[Entry], data: Mapping[str, float]) -> tuple[list["Case"], list[Outcome]]:
+    """The cases with their `data` set, and the outcomes of those that cannot be read or set."""
+    from vmharness.case import CaseError, read
+    from vmharness.case.settings import with_settings
+
+    cases: list[Case] = []
+    broken: list[Outcome] = []
+    for entry in found:
+        try:
+            case = read(entry.folder)
+            cases.append(with_settings(case, data) if data else case)
+        except CaseError as error:
+            broken.append(Outcome(entry.id, Status.BROKEN, str(error)))
+    return cases, broken

@@ -19,7 +19,7 @@ def write_case(run: CaseRun, folder: Path, volatile: bool = True, indexed: bool 
     """
     from vmharness.report.page import page
     from vmharness.report.prose import pictures
-    from vmharness.report.section import studies
+    from vmharness.report.records import studies
 
     indexed = indexed or all((folder / form.FILE).is_file() for form in plugins.modules(PAGES))
     to = folder / run.case.id
@@ -38,7 +38,7 @@ def write_case(run: CaseRun, folder: Path, volatile: bool = True, indexed: bool 
 def write_index(runs: list[CaseRun], folder: Path, unrun: Sequence[Unrun] = ()) -> list[Path]:
     """Write the index over `runs`, and the cases without one, into `folder` in every format; raises OSError."""
     from vmharness.report.index import index
-    from vmharness.report.section import summaries
+    from vmharness.report.records import summaries
     from vmharness.report.sections import faults
 
     studied = {run.case.id: summaries(run.case, folder / run.case.id) for run in runs}

@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from vmharness.compare import Verdict
+from vmharness.report.blocks import Section
 from vmharness.report.page import worst_row
-from vmharness.report.section import Section
 from vmharness.report.solver import short_name
 from vmharness.result import CaseRun, Row, Unrun
 from vmharness.round_off import ordered

@@ -8,10 +8,11 @@ from vmharness.case.format import Budget, Fault, Given, as_line
 from vmharness.case.tolerance import budget_lines, review_measured
 from vmharness.formula import Formula, Unit
 from vmharness.report import published
+from vmharness.report.blocks import Figure, Section
 from vmharness.report.figures import histories, model
 from vmharness.report.figures.curves import Curve, curves
 from vmharness.report.prose import sections
-from vmharness.report.section import Figure, Section, Studies
+from vmharness.report.records import Studies
 from vmharness.report.solver import short_name
 from vmharness.result import CaseRun, Row
 from vmharness.round_off import largest

@@ -8,8 +8,8 @@ from dataclasses import replace
 
 from vmharness.case.format import Published
 from vmharness.report import number
+from vmharness.report.blocks import Section, Table
 from vmharness.report.figures.characters import unit
-from vmharness.report.section import Section, Table
 from vmharness.result import CaseRun, Reading
 
 

@@ -1,12 +1,17 @@
-"""Many variants through the solver, in worker processes that each serve many of them."""
+"""Run many variants in worker processes, and keep each outcome on disk: an interrupted study loses nothing."""
 
+import contextlib
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
+from dataclasses import replace
+from pathlib import Path
+
+import msgspec
 
 from vmharness.execution.message import Began, Done, Lost, Progress, Raised
 from vmharness.execution.pool import Pool
 from vmharness.execution.worker import Report, Work
-from vmharness.studies import store
+from vmharness.explicit.kernels.cache import root
 from vmharness.studies.measured import Measured, measured
 from vmharness.studies.variant import Variant
 
@@ -32,7 +37,7 @@ def gather(
     waiting: dict[str, list[int]] = {}
     for number, variant in enumerate(variants):
         key = variant.key(solver)
-        if key not in waiting and (known := store.load(key)):
+        if key not in waiting and (known := kept(key)):
             yield number, known
         else:
             waiting.setdefault(key, []).append(number)
@@ -77,7 +82,7 @@ def _outcomes(pool: Pool, tasks: Sequence[Variant], keys: Sequence[str], timeout
     for task, message in pool.each(tasks, timeout):
         match message:
             case Done(outcome):
-                store.keep(keys[task], outcome)
+                keep(keys[task], outcome)
                 yield task, outcome
             case Lost(reason):
                 yield task, Measured(failure=reason)
@@ -85,3 +90,24 @@ def _outcomes(pool: Pool, tasks: Sequence[Variant], keys: Sequence[str], timeout
                 yield task, Measured(failure=f"defect: {error}")
             case _:
                 yield task, message
+
+
+def kept_file(key: str) -> Path:
+    """The file of the outcome of a key, beside the compiled kernels of the solver."""
+    return root() / "runs" / key[:2] / f"{key[2:]}.json"
+
+
+def kept(key: str) -> Measured | None:
+    """The outcome that is kept for a key, marked as `cached`; None where there is no readable one."""
+    try:
+        return replace(msgspec.json.decode(kept_file(key).read_bytes(), type=Measured), cached=True)
+    except (OSError, msgspec.MsgspecError):
+        return None
+
+
+def keep(key: str, outcome: Measured) -> None:
+    """Write an outcome; a folder that cannot be written is no error."""
+    from vmharness.execution import atomic
+
+    with contextlib.suppress(OSError):
+        atomic.write(kept_file(key), msgspec.json.encode(outcome).decode())

@@ -1,6 +1,10 @@
-"""What made the record of a study, so that an auditor can tell whether it still would be the same."""
+"""The solver and sources that made the record of a study: the record is stale once they have changed."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+
+from vmharness.studies.measured import Measured
+from vmharness.studies.sources import sources
 
 
 @dataclass(frozen=True)
@@ -9,3 +13,8 @@ class Maker:
 
     solver: str  # name and version, as its runs say them
     sources: str  # sha256
+
+
+def maker(outcomes: Iterable[Measured]) -> Maker:
+    """The solver as the runs name it, and these sources; no name if every run was lost."""
+    return Maker(next((outcome.solver for outcome in outcomes if outcome.solver), ""), sources())

@@ -51,8 +51,7 @@ def command(
 def _stale(case: Entry) -> list[str]:
     """Studies in reports/ that would have to be made anew."""
     from vmharness.case.digest import inputs
-    from vmharness.report.section import FOLDER
-    from vmharness.report.stamp import stale
+    from vmharness.report.records import FOLDER, stale
     from vmharness.studies.sources import sources
 
     return stale(REPORTS / case.id / FOLDER, inputs(case.folder), sources())

@@ -55,7 +55,7 @@ def _read(path: Path) -> "Run":
 
 
 def _show(runs: list["Run"], found: list["Pair"], every: bool) -> None:
-    from vmharness.report.section import Table
+    from vmharness.report.blocks import Table
 
     for name, run in zip("AB", runs, strict=True):
         solvers = ", ".join(dict.fromkeys(case.solver for case in run.cases if case.solver))

@@ -6,14 +6,13 @@ from typing import TYPE_CHECKING
 import click
 
 from vmharness.cli.gathering import gathered, write_record
-from vmharness.cli.one import one
 from vmharness.cli.options import How, studying
 from vmharness.cli.say import complain, say, say_rows
-from vmharness.cli.selection import CASES
+from vmharness.cli.selection import CASES, one
 from vmharness.suite.outcome import EXIT_CODES, Status
 
 if TYPE_CHECKING:
-    from vmharness.studies.converge.convergence import Convergence
+    from vmharness.studies.converge.record import ConvergeRecord
 
 
 @click.command("converge")
@@ -29,15 +28,15 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
     ID is an id, or the path of a case folder.
     """
     from vmharness.case import CaseError
-    from vmharness.studies.converge.levels import convergence, levels
+    from vmharness.studies.converge.runs import record, variants
 
     try:
         case = one(selector, cases)
-        variants = levels(case)
+        runs = variants(case)
     except CaseError as error:
         complain(str(error))
         return EXIT_CODES[Status.BROKEN]
-    found = convergence(case, gathered(variants, how, f"converge {case.id}"))
+    found = record(case, gathered(runs, how, f"converge {case.id}"))
     _show(found)
     write_record(out, case.id, "converge", found, json)
     if any(level.failure for level in found.levels):
@@ -48,7 +47,7 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
     return EXIT_CODES[Status.FAIL if wrong else Status.PASS]
 
 
-def _show(found: "Convergence") -> None:
+def _show(found: "ConvergeRecord") -> None:
     from vmharness.report.sections.converge import plan, remarks, tables
 
     for table in tables(found):

@@ -7,15 +7,14 @@ from typing import TYPE_CHECKING
 import click
 
 from vmharness.cli.gathering import gathered, write_record
-from vmharness.cli.one import one
 from vmharness.cli.options import How, studying
 from vmharness.cli.say import complain, say, say_rows
-from vmharness.cli.selection import CASES
+from vmharness.cli.selection import CASES, one
 from vmharness.suite.outcome import EXIT_CODES, Status
 
 if TYPE_CHECKING:
     from vmharness.case import Case
-    from vmharness.studies.explain.explanation import Column
+    from vmharness.studies.explain.record import Column
 
 
 @click.command("explain")
@@ -32,13 +31,13 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
     """
     from vmharness.case import CaseError
     from vmharness.report.sections.explain import remarks, tables
-    from vmharness.studies.explain.variants import explanation, variants
+    from vmharness.studies.explain.runs import record, variants
 
     try:
         case = one(selector, cases)
         runs = variants(case)
         outcomes = gathered(list(runs.values()), how, f"explain {case.id}")
-        found = explanation(case, dict(zip(runs, outcomes, strict=True)))
+        found = record(case, dict(zip(runs, outcomes, strict=True)))
     except CaseError as error:
         complain(str(error))
         return EXIT_CODES[Status.BROKEN]

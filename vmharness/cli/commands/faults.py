@@ -7,14 +7,13 @@ import click
 
 from vmharness.cli.gathering import gathered, write_record
 from vmharness.cli.options import How, studying
-from vmharness.cli.read import read_cases
 from vmharness.cli.say import complain, plain_table, say, say_table
-from vmharness.cli.selection import selected, selecting
+from vmharness.cli.selection import read_cases, selected, selecting
 from vmharness.suite.outcome import EXIT_CODES, NOTHING_SELECTED, Status, exit_code
 
 if TYPE_CHECKING:
     from vmharness.case import Case
-    from vmharness.studies.faults.detection import Detection
+    from vmharness.studies.faults.record import FaultsRecord
 
 
 @click.command("faults")
@@ -52,10 +51,10 @@ def command(
     return exit_code(statuses) if statuses else EXIT_CODES[Status.PASS]
 
 
-def _detections(cases: "list[Case]", how: How) -> "tuple[list[Detection], int]":
+def _detections(cases: "list[Case]", how: How) -> "tuple[list[FaultsRecord], int]":
     """What became of all faults in each case, and how many cases do not even pass without one."""
     from vmharness.studies.faults.plant import plant
-    from vmharness.studies.faults.study import StudyError, detection, planted
+    from vmharness.studies.faults.runs import StudyError, planted, record
     from vmharness.studies.variant import Variant
 
     sound = gathered([Variant(case) for case in cases], how, "sound runs")
@@ -68,15 +67,15 @@ def _detections(cases: "list[Case]", how: How) -> "tuple[list[Detection], int]":
     variants = [fault.variant for *_, faults in plans for fault in faults]
     outcomes = iter(gathered(variants, how, "planted faults", plant))
     found = [
-        detection(case, outcome, faults, [next(outcomes) for _ in faults]) for case, outcome, faults in plans
+        record(case, outcome, faults, [next(outcomes) for _ in faults]) for case, outcome, faults in plans
     ]
     return found, len(cases) - len(plans)
 
 
-def _show(detections: "list[Detection]") -> None:
+def _show(detections: "list[FaultsRecord]") -> None:
     """The score of each case with what it misses, then what no case catches."""
     from vmharness.report.sections.faults import to_do
-    from vmharness.studies.faults.detection import coverage
+    from vmharness.studies.faults.record import coverage
 
     table = plain_table("Case", "Caught", "Missed")
     for found in detections:
@@ -89,11 +88,11 @@ def _show(detections: "list[Detection]") -> None:
         say(f"  {sentence}")
 
 
-def _write(path: Path, detections: "list[Detection]") -> None:
+def _write(path: Path, detections: "list[FaultsRecord]") -> None:
     import msgspec
 
     from vmharness.execution import atomic
-    from vmharness.studies.faults.detection import coverage
+    from vmharness.studies.faults.record import coverage
 
     record = {"cases": detections, "coverage": coverage(detections)}
     atomic.write(path, msgspec.json.format(msgspec.json.encode(record), indent=1).decode() + "\n")

@@ -6,7 +6,7 @@ from pathlib import Path
 import click
 
 from vmharness.cli import options
-from vmharness.cli.again import again
+from vmharness.cli.rerun import rerun_commands
 from vmharness.cli.say import complain, say
 from vmharness.cli.selection import selected, selecting
 from vmharness.cli.summary import summarise
@@ -68,7 +68,7 @@ def command(
     done, unwritten = run_cases(found, wanted)
     outcomes += done
     unwritten += write_files(outcomes, wanted)
-    summarise(outcomes, unwritten, again(found, ctx.params), ctx.find_root().params["debug"])
+    summarise(outcomes, unwritten, rerun_commands(found, ctx.params), ctx.find_root().params["debug"])
     if wanted.report:
         _say_where([wanted.name(case.id) for case in found], wanted.root)
         if not wanted.index and (wanted.root / "index.html").is_file():

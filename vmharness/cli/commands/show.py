@@ -5,9 +5,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vmharness.cli.read import read_cases
 from vmharness.cli.say import complain, plain_table, say, say_table
-from vmharness.cli.selection import CASES, selected
+from vmharness.cli.selection import CASES, read_cases, selected
 from vmharness.suite.outcome import EXIT_CODES, NOTHING_SELECTED, Status
 
 if TYPE_CHECKING:

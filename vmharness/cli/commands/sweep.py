@@ -4,12 +4,11 @@ from pathlib import Path
 
 import click
 
-from vmharness.cli.again import again
 from vmharness.cli.gathering import gathered, write_record
-from vmharness.cli.one import one
 from vmharness.cli.options import How, studying
+from vmharness.cli.rerun import rerun_commands
 from vmharness.cli.say import complain, say, say_rows
-from vmharness.cli.selection import CASES
+from vmharness.cli.selection import CASES, one
 from vmharness.suite.outcome import EXIT_CODES, Status
 from vmharness.suite.select import Entry
 
@@ -42,7 +41,7 @@ def command(
     from vmharness.case import CaseError
     from vmharness.report.sections.sweep import plan, remarks, tables, verdict
     from vmharness.studies.gather import pool
-    from vmharness.studies.sweep import points as sweep
+    from vmharness.studies.sweep import runs as sweep
 
     if points is not None and grid is not None:
         raise click.UsageError("--points and --grid do not go together")
@@ -54,12 +53,12 @@ def command(
         return EXIT_CODES[Status.BROKEN]
     options = {"selectors": [selector], "cases": cases, "solver": how.solver, "timeout": how.timeout}
     with pool(how.jobs, how.solver) as workers:
-        found = sweep.swept(
+        found = sweep.record(
             case,
             chosen,
             words,
             lambda variants, what: gathered(variants, how, f"{case.id}: {what}", workers=workers),
-            again([Entry(case.folder)], options)[case.id],
+            rerun_commands([Entry(case.folder)], options)[case.id],
         )
     for table in tables(found):
         say_rows(table)

@@ -10,7 +10,7 @@ from vmharness.report.figures.histories import COLOURS, INK, MARKERS, QUIET
 from vmharness.report.figures.key import Entry, columns, key_below
 from vmharness.report.figures.note import note
 from vmharness.round_off import ROUND_OFF
-from vmharness.studies.converge.convergence import Convergence, Refined
+from vmharness.studies.converge.record import ConvergeRecord, Refined
 from vmharness.studies.converge.richardson import Kind
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 IN_A_ROW = 4
 
 
-def draw(found: Convergence) -> str:
+def draw(found: ConvergeRecord) -> str:
     """SVG of |value - target| / |target| of each result over the refined size."""
     from matplotlib.figure import Figure
 
@@ -44,7 +44,7 @@ def draw(found: Convergence) -> str:
         return svg.text(figure, "Distance of the results from theory over the size")
 
 
-def errors(found: Convergence, result: Refined) -> list[tuple[float, float]]:
+def errors(found: ConvergeRecord, result: Refined) -> list[tuple[float, float]]:
     """(size, |value - target| / |target|) of the levels at which that is more than round-off.
 
     Nothing where no level differs from the others: what is left there does not fall with the size.
@@ -57,7 +57,7 @@ def errors(found: Convergence, result: Refined) -> list[tuple[float, float]]:
     return [(size, error) for size, error in away if error > ROUND_OFF]
 
 
-def _line(axes: "Axes", found: Convergence, result: Refined, i: int) -> Entry:
+def _line(axes: "Axes", found: ConvergeRecord, result: Refined, i: int) -> Entry:
     """Draw a result, dashed below it the promised slope through its coarsest level; returns its entry in the key."""
     size, error = np.array(errors(found, result)).T
     style: dict[str, Any] = {
@@ -75,7 +75,7 @@ def _line(axes: "Axes", found: Convergence, result: Refined, i: int) -> Entry:
     return result.key, style
 
 
-def _ticks(axes: "Axes", found: Convergence) -> None:
+def _ticks(axes: "Axes", found: ConvergeRecord) -> None:
     """A tick at each level, its size in words; powers of ten on the vertical axis."""
     from matplotlib.ticker import FixedFormatter, FixedLocator, LogLocator, NullFormatter, NullLocator
 

@@ -9,8 +9,8 @@ from vmharness.report.figures.characters import ten_to, unit
 from vmharness.report.figures.histories import COLOURS, INK, QUIET
 from vmharness.report.figures.note import note
 from vmharness.round_off import rounded
-from vmharness.studies.sweep.sample import is_logarithmic
-from vmharness.studies.sweep.swept import Swept, worst_share
+from vmharness.studies.sweep.record import SweepRecord, worst_share
+from vmharness.studies.sweep.sampling import is_logarithmic
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -20,7 +20,7 @@ HEIGHT = 1.75  # of a row of panels, in inches
 LEAST = 1e-4  # shares below are drawn there
 
 
-def draw(found: Swept) -> str:
+def draw(found: SweepRecord) -> str:
     """SVG of the largest share of a tolerance that a result uses at each point, over each datum."""
     from matplotlib.figure import Figure
 
@@ -39,7 +39,7 @@ def draw(found: Swept) -> str:
         return svg.text(figure, "Largest share of a tolerance over each swept datum")
 
 
-def _panel(axes: "Axes", found: Swept, name: str, named: bool) -> None:
+def _panel(axes: "Axes", found: SweepRecord, name: str, named: bool) -> None:
     """The points over one datum: failing ones filled, those not judged left out."""
     shares = {i: worst_share(found, i) for i in range(found.points) if i not in found.unjudged}
     top = max([1.0, *(share for share in shares.values() if math.isfinite(share))])
@@ -60,7 +60,7 @@ def _panel(axes: "Axes", found: Swept, name: str, named: bool) -> None:
     _ticks(axes, found, name, named)
 
 
-def _ticks(axes: "Axes", found: Swept, name: str, named: bool) -> None:
+def _ticks(axes: "Axes", found: SweepRecord, name: str, named: bool) -> None:
     """Ends and middle of the range; powers of ten of the share."""
     from matplotlib.ticker import FixedFormatter, FixedLocator, LogLocator, NullLocator
 

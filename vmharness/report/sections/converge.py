@@ -4,8 +4,8 @@ import msgspec
 
 from vmharness.case import Case
 from vmharness.report import number
-from vmharness.report.section import Figure, Section, Table
-from vmharness.studies.converge.convergence import Convergence, Refined
+from vmharness.report.blocks import Figure, Section, Table
+from vmharness.studies.converge.record import ConvergeRecord, Refined
 from vmharness.studies.converge.richardson import SAFETY, Kind
 
 REFINED = {
@@ -24,7 +24,7 @@ MEANINGS = {
 
 def section(content: bytes, case: Case) -> Section:
     """The section for the record of `vm converge`."""
-    found = msgspec.json.decode(content, type=Convergence)
+    found = msgspec.json.decode(content, type=ConvergeRecord)
     return Section(
         "Convergence",
         summary(found),
@@ -38,18 +38,18 @@ def figures(content: bytes) -> list[Figure]:
     """Distance from theory over the size."""
     from vmharness.report.figures import refinement
 
-    found = msgspec.json.decode(content, type=Convergence)
+    found = msgspec.json.decode(content, type=ConvergeRecord)
     caption = "Distance of the results from theory over the size; dashed: the promised order"
     return [Figure("convergence", caption, refinement.draw(found))]
 
 
-def plan(found: Convergence) -> str:
+def plan(found: ConvergeRecord) -> str:
     """What is refined, what is held."""
     held = f" Held: {found.held}." if found.held else ""
     return f"Refined: {REFINED[found.refined]}; its size, {found.size}, on {len(found.levels)} levels.{held}"
 
 
-def summary(found: Convergence) -> str:
+def summary(found: ConvergeRecord) -> str:
     """The lowest and highest order seen among the promised ones, and whether each is as promised."""
     promised = [result for result in found.results if result.promised is not None]
     orders = [result.found.order for result in promised if result.found.order is not None]
@@ -62,7 +62,7 @@ def summary(found: Convergence) -> str:
     return f"order {low}" if low == high else f"order {low} to {high}"
 
 
-def tables(found: Convergence) -> list[Table]:
+def tables(found: ConvergeRecord) -> list[Table]:
     """The value of each result at each level; then what follows from them."""
     levels = [f"N = {level.number:g}" for level in found.levels]
     values = [[result.key, *(_digits(value) for value in result.values)] for result in found.results]
@@ -70,7 +70,7 @@ def tables(found: Convergence) -> list[Table]:
     return [Table(["Result", *levels], values), Table(follows, [_row(result) for result in found.results])]
 
 
-def remarks(found: Convergence) -> list[str]:
+def remarks(found: ConvergeRecord) -> list[str]:
     """What the words in place of an order mean, where they stand, and levels that failed."""
     said = []
     for kind, meaning in MEANINGS.items():
@@ -80,7 +80,7 @@ def remarks(found: Convergence) -> list[str]:
     return said + [f"N = {level.number:g}: {level.failure}." for level in found.levels if level.failure]
 
 
-def _text(found: Convergence) -> list[str]:
+def _text(found: ConvergeRecord) -> list[str]:
     return [
         f"{plan(found)} Promised orders: {found.because}.",
         "The order is that of the three finest levels, and its uncertainty the largest distance of the order of "

@@ -6,10 +6,10 @@ import msgspec
 
 from vmharness.case import Case
 from vmharness.reading import last_cycles
+from vmharness.report.blocks import Figure, Section, Table
 from vmharness.report.figures import stacked
 from vmharness.report.number import DASH, positional, share
-from vmharness.report.section import Figure, Section, Table
-from vmharness.studies.explain.explanation import Column, Explained, Explanation
+from vmharness.studies.explain.record import Column, Explained, ExplainRecord
 
 HOW = (
     "Value less target, in percent of the tolerance, cause by cause: time step and sampling from runs with half and a "
@@ -23,7 +23,7 @@ SPLIT = "The last table splits its distance from theory into parts."
 
 def section(content: bytes, case: Case) -> Section:
     """The section for the record of `vm explain`."""
-    found = msgspec.json.decode(content, type=Explanation)
+    found = msgspec.json.decode(content, type=ExplainRecord)
     return Section(
         "The difference, cause by cause",
         summary(found),
@@ -35,14 +35,14 @@ def section(content: bytes, case: Case) -> Section:
 
 def figures(content: bytes) -> list[Figure]:
     """Bars of the parts of the results."""
-    found = msgspec.json.decode(content, type=Explanation)
+    found = msgspec.json.decode(content, type=ExplainRecord)
     caption = "Value less target, cause by cause, in percent of the tolerance; diamonds: the whole difference"
     return [_figure(found.case, "explained", caption, found.results, True)]
 
 
 def columns(content: bytes, case: Case) -> dict[str, Section]:
     """What was found of each published column; drawn, too, where a solver gave it."""
-    found = msgspec.json.decode(content, type=Explanation)
+    found = msgspec.json.decode(content, type=ExplainRecord)
     return {
         column.name: Section(
             column.name,
@@ -55,20 +55,20 @@ def columns(content: bytes, case: Case) -> dict[str, Section]:
     }
 
 
-def summary(found: Explanation) -> str:
+def summary(found: ExplainRecord) -> str:
     """The largest part that nothing explains, as a share of its tolerance."""
     rest = [_share(one, one.unexplained.value) for one in found.results]
     return f"{share(max(rest, default=0.0) / 100.0)} of a tolerance unexplained"
 
 
-def tables(found: Explanation) -> list[Table]:
+def tables(found: ExplainRecord) -> list[Table]:
     """A table for the results, and one for each published column."""
     return [_table(found.results, "value")] + [
         _table(column.results, column.name) for column in found.columns
     ]
 
 
-def remarks(found: Explanation) -> list[str]:
+def remarks(found: ExplainRecord) -> list[str]:
     """What was not separated."""
     return [f"{note[0].upper()}{note[1:]}." for note in found.notes]
 

@@ -8,10 +8,11 @@ from pathlib import Path
 import msgspec
 
 from vmharness.case import Case
+from vmharness.report.blocks import Section, Table
 from vmharness.report.number import DASH, short
-from vmharness.report.section import FOLDER, Section, Table
+from vmharness.report.records import FOLDER
 from vmharness.round_off import ordered
-from vmharness.studies.faults.detection import Coverage, Detection, Finding, Noticed, coverage
+from vmharness.studies.faults.record import Coverage, FaultsRecord, Finding, Noticed, coverage
 
 FILE = "faults.json"
 SHOWN = 5  # cases that a row names
@@ -26,7 +27,7 @@ KINDS = {
 
 def section(content: bytes, case: Case) -> Section:
     """The section for the record of `vm faults`."""
-    found = msgspec.json.decode(content, type=Detection)
+    found = msgspec.json.decode(content, type=FaultsRecord)
     text = [
         f"Of {found.applicable} planted faults that change this run, {found.caught} are caught: a result leaves its "
         "tolerance, or the solver refuses to go on. Numbers are the largest distance from a target, in tolerances."
@@ -37,7 +38,7 @@ def section(content: bytes, case: Case) -> Section:
     return Section("Faults", score(found), text, tables, remarks=_unseen(found))
 
 
-def score(found: Detection) -> str:
+def score(found: FaultsRecord) -> str:
     """How many of the faults that change anything are caught."""
     return f"{found.caught} of {found.applicable} faults"
 
@@ -72,11 +73,11 @@ def manual(cases: Sequence[Case], root: Path) -> Section | None:
     detections = []
     for path in paths:
         with contextlib.suppress(OSError, msgspec.MsgspecError):
-            detections.append(msgspec.json.decode(path.read_bytes(), type=Detection))
+            detections.append(msgspec.json.decode(path.read_bytes(), type=FaultsRecord))
     return together(detections) if detections else None
 
 
-def together(detections: Sequence[Detection]) -> Section:
+def together(detections: Sequence[FaultsRecord]) -> Section:
     """The section of the index."""
     found = coverage(detections)
     text = [
@@ -127,7 +128,7 @@ def to_do(found: Coverage) -> list[str]:
     return said + ([f"No case has anything of {', '.join(unseen)}."] if unseen else [])
 
 
-def _parameters(found: Detection) -> Table:
+def _parameters(found: FaultsRecord) -> Table:
     """Deck faults of one parameter: a row a parameter, a column a change."""
     changes: dict[str, dict[str, Finding]] = {}
     for finding in found.findings:
@@ -140,7 +141,7 @@ def _parameters(found: Detection) -> Table:
     return Table(["In the deck", *heads], rows)
 
 
-def _others(found: Detection) -> Table:
+def _others(found: FaultsRecord) -> Table:
     shown = {row[0] for row in _parameters(found).rows}
     rows = [
         [finding.text, KINDS[finding.kind], cell(finding), finding.by or finding.reason or DASH]
@@ -150,7 +151,7 @@ def _others(found: Detection) -> Table:
     return Table(["Fault", "Where", "Caught?", "By"], rows, numbers=4)
 
 
-def _unseen(found: Detection) -> list[str]:
+def _unseen(found: FaultsRecord) -> list[str]:
     """Faults of which the case has nothing, and parameters that no result depends on."""
     unseen = [finding.fault for finding in found.findings if finding.noticed is Noticed.UNSEEN]
     idle = [

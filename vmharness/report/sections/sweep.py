@@ -4,16 +4,16 @@ import msgspec
 
 from vmharness.case import Case
 from vmharness.report import number
-from vmharness.report.section import Figure, Section, Table
+from vmharness.report.blocks import Figure, Section, Table
 from vmharness.round_off import ROUND_OFF
-from vmharness.studies.sweep.swept import Swept, Worst, worst_share
+from vmharness.studies.sweep.record import SweepRecord, Worst, worst_share
 
 WORST = "For each result, the point at which it uses most of its tolerance:"
 
 
 def section(content: bytes, case: Case) -> Section:
     """The section for the record of `vm sweep`."""
-    found = msgspec.json.decode(content, type=Swept)
+    found = msgspec.json.decode(content, type=SweepRecord)
     return Section(
         "Sweep over the given data",
         summary(found),
@@ -27,14 +27,14 @@ def figures(content: bytes) -> list[Figure]:
     """Shares of tolerances over each datum."""
     from vmharness.report.figures import scatter
 
-    found = msgspec.json.decode(content, type=Swept)
+    found = msgspec.json.decode(content, type=SweepRecord)
     caption = (
         "Largest share of a tolerance that a result uses at each point, over each datum; large: out of it"
     )
     return [Figure("sweep", caption, scatter.draw(found))]
 
 
-def plan(found: Swept) -> str:
+def plan(found: SweepRecord) -> str:
     """Where the points lie."""
     ranges = [
         f"{name} from {number.given(low)} to {number.given(high)} {found.units[name]}".rstrip()
@@ -44,14 +44,14 @@ def plan(found: Swept) -> str:
     return f"{found.how}, over {'; '.join(ranges)}.{held}"
 
 
-def verdict(found: Swept) -> str:
+def verdict(found: SweepRecord) -> str:
     """At how many points all results are within their tolerances."""
     passed = found.points - len(found.failed) - len(found.unjudged)
     open_ = f"; {len(found.unjudged)} could not be judged" if found.unjudged else ""
     return f"Every result is within its tolerance at {passed} of {found.points} points{open_}."
 
 
-def summary(found: Swept) -> str:
+def summary(found: SweepRecord) -> str:
     """How many points pass, and the largest share of a tolerance."""
     judged = [i for i in range(found.points) if i not in found.unjudged]
     passed = len(judged) - len(found.failed)
@@ -59,13 +59,13 @@ def summary(found: Swept) -> str:
     return f"{passed} of {found.points} points, {number.share(worst)} used at most"
 
 
-def tables(found: Swept) -> list[Table]:
+def tables(found: SweepRecord) -> list[Table]:
     """Each result where it uses most of its tolerance."""
     head = ["Result", "Failed", "Worst share", "Error (%)", *found.ranges]
     return [Table(head, [_row(found, result) for result in found.results])]
 
 
-def remarks(found: Swept) -> list[str]:
+def remarks(found: SweepRecord) -> list[str]:
     """The failing point made simpler, and points that could not be judged."""
     said = []
     if found.failing is not None:
@@ -76,7 +76,7 @@ def remarks(found: Swept) -> list[str]:
     return said + [f"Not judged, {count} points: {reason}" for reason, count in reasons.items()]
 
 
-def _row(found: Swept, result: Worst) -> list[str]:
+def _row(found: SweepRecord, result: Worst) -> list[str]:
     at = [number.short(result.at.get(name)) for name in found.ranges]
     error = 0.0 if result.error is not None and abs(result.error) <= ROUND_OFF else result.error
     percent = number.positional(None if error is None else 100.0 * error, 2)

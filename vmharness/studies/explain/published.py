@@ -6,8 +6,8 @@ from vmharness.case import Case
 from vmharness.case.format import Published
 from vmharness.formula import Unit
 from vmharness.history import History
-from vmharness.studies.explain import scan
-from vmharness.studies.explain.explanation import SAMPLING, Column, Explained, Part, explained
+from vmharness.studies.explain import readings
+from vmharness.studies.explain.record import SAMPLING, Column, Explained, Part, explained
 
 SOLVER, ROUNDING = "this solver", "rounding of the digits"
 
@@ -30,8 +30,8 @@ def half_unit(text: str) -> float:
 
 
 def _computed(case: Case, history: History, column: Published) -> Column:
-    plain, best = scan.plain(case, history, column), scan.best(case, history, column)
-    other = scan.rest(case, history, column, best) if best.interval else None
+    plain, best = readings.plain(case, history, column), readings.best(case, history, column)
+    other = readings.rest(case, history, column, best) if best.interval else None
     unit = case.file.units.time
     results = []
     for key, text in column.values.items():

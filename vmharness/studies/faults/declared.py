@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from vmharness.case import Case, CaseError
-from vmharness.case.change import changed_value
 from vmharness.case.format import Fault
+from vmharness.case.settings import changed_value
 from vmharness.case.tolerance import allowed_difference
 
 # A parameter with just this formula is how long the deck runs, and no datum of its problem.

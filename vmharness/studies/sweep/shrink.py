@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 
 from vmharness.round_off import rounded
-from vmharness.studies.sweep.sample import DIGITS, Point
+from vmharness.studies.sweep.sampling import DIGITS, Point
 
 Fails = Callable[[Sequence[Point]], Sequence[bool]]
 

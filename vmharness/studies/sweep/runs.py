@@ -8,12 +8,12 @@ from vmharness.case.format import Sweep
 from vmharness.case.settings import as_options, with_settings
 from vmharness.formula import FormulaError
 from vmharness.round_off import largest, rounded
-from vmharness.studies.made import maker
+from vmharness.studies.maker import maker
 from vmharness.studies.measured import Measured, Value
-from vmharness.studies.sweep import sample
-from vmharness.studies.sweep.sample import Point
+from vmharness.studies.sweep import sampling
+from vmharness.studies.sweep.record import Failing, SweepRecord, Worst, worst_share
+from vmharness.studies.sweep.sampling import Point
 from vmharness.studies.sweep.shrink import shrink
-from vmharness.studies.sweep.swept import Failing, Swept, Worst, worst_share
 from vmharness.studies.variant import Variant
 
 SIMPLER = "simpler points that might fail"
@@ -35,18 +35,18 @@ def points(case: Case, count: int | None, seed: int, grid: int | None) -> tuple[
                 f"{case.id}: a grid of {grid} values of {len(plan.ranges)} data has {size:.2g} points, "
                 f"which is more than {MOST}; -n takes a Latin hypercube of N points"
             )
-        found = [point for point in sample.grid(plan.ranges, grid) if _accepted(case, plan, point)]
+        found = [point for point in sampling.grid(plan.ranges, grid) if _accepted(case, plan, point)]
         how = f"{len(found)} points of a grid of {grid} values a datum"
     else:
         wanted = count or plan.points
-        found = sample.sampled(plan.ranges, wanted, seed, lambda point: _accepted(case, plan, point))
+        found = sampling.sampled(plan.ranges, wanted, seed, lambda point: _accepted(case, plan, point))
         how = f"{len(found)} points of a Latin hypercube, seed {seed}"
     if not found:
         raise CaseError(f"{case.id}: [sweep]: no point of the region meets its constraints")
     return found, how
 
 
-def swept(case: Case, found: Sequence[Point], how: str, gather: Gather, again: str = "") -> Swept:
+def record(case: Case, found: Sequence[Point], how: str, gather: Gather, again: str = "") -> SweepRecord:
     """The record of the points' outcomes, with the worst failing one shrunk; `gather` runs variants.
 
     `again` is the command that runs the case alone.
@@ -54,7 +54,7 @@ def swept(case: Case, found: Sequence[Point], how: str, gather: Gather, again: s
     plan = plan_of(case)
     outcomes = measure(case, found, gather, "sweep")
     labels = {result.key: result.label for result in case.file.results}
-    record = Swept(
+    record = SweepRecord(
         case=case.id,
         case_sha256=case.inputs_sha256,
         how=how,
@@ -150,7 +150,7 @@ def _worst(key: str, label: str, found: Sequence[Point], outcomes: Sequence[Meas
     return Worst(key, label, _used(results[i]), error, dict(found[i]), failed)
 
 
-def _shrunk(case: Case, record: Swept, found: Sequence[Point], gather: Gather, command: str) -> Failing:
+def _shrunk(case: Case, record: SweepRecord, found: Sequence[Point], gather: Gather, command: str) -> Failing:
     """The worst failing point, made simpler as long as the same result fails."""
     worst = largest(record.failed, lambda i: worst_share(record, i))
     key = largest(record.shares, lambda key: _size(record.shares[key][worst]))

@@ -33,7 +33,7 @@ class Finding:
 
 
 @dataclass(frozen=True)
-class Detection:
+class FaultsRecord:
     """All that was planted in one case."""
 
     case: str
@@ -71,7 +71,7 @@ class Coverage:
         return len(self.matrix) - len(self.missed) - len(self.unseen)
 
 
-def coverage(detections: Sequence[Detection]) -> Coverage:
+def coverage(detections: Sequence[FaultsRecord]) -> Coverage:
     """The matrix of the solver's faults over the cases, and what no case catches: the manual's to-do list."""
     matrix: dict[str, dict[str, Finding]] = {}
     for detection in detections:

@@ -29,7 +29,7 @@ class Failing:
 
 
 @dataclass(frozen=True)
-class Swept:
+class SweepRecord:
     """All that `vm sweep` finds out about a case."""
 
     case: str
@@ -56,7 +56,7 @@ class Swept:
         return [i for i in range(self.points) if i not in self.unjudged and not worst_share(self, i) <= 1.0]
 
 
-def worst_share(found: Swept, i: int) -> float:
+def worst_share(found: SweepRecord, i: int) -> float:
     """The largest share of a tolerance at the point `i`; infinite where a result has no value."""
     shares = [shares[i] for shares in found.shares.values()]
     return max(math.inf if share is None else share for share in shares)

@@ -72,7 +72,7 @@ class Column:
 
 
 @dataclass(frozen=True)
-class Explanation:
+class ExplainRecord:
     """All that `vm explain` finds out about a case."""
 
     case: str

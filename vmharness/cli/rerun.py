@@ -1,4 +1,4 @@
-"""The line that runs a case again."""
+"""Command lines that run cases again, as they were run."""
 
 import shlex
 from collections.abc import Mapping, Sequence
@@ -9,10 +9,10 @@ from vmharness.cli.options import SOLVER, TIMEOUT
 from vmharness.suite.select import Entry
 
 
-def again(found: Sequence[Entry], options: Mapping[str, Any]) -> dict[str, str]:
-    """By id: the command with the options that bear on the result; a case is named by its path if it was.
+def rerun_commands(found: Sequence[Entry], options: Mapping[str, Any]) -> dict[str, str]:
+    """The command for each case by its id, with the options that change a result; a case named by path stays so.
 
-    >>> again([Entry(Path("/x/VM-061"))], {"cases": Path("/x"), "data": {"m": 0.4}})
+    >>> rerun_commands([Entry(Path("/x/VM-061"))], {"cases": Path("/x"), "data": {"m": 0.4}})
     {'VM-061': 'vm run VM-061 --cases /x --set m=0.4'}
     """
     return {case.id: shlex.join(["vm", "run", _selector(case, options), *_given(options)]) for case in found}

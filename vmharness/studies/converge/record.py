@@ -49,7 +49,7 @@ class Refined:
 
 
 @dataclass(frozen=True)
-class Convergence:
+class ConvergeRecord:
     """All that `vm converge` finds out about a case."""
 
     case: str

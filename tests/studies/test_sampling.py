@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vmharness.studies.sweep.sample import grid, latin_hypercube, sampled
+from vmharness.studies.sweep.sampling import grid, latin_hypercube, sampled
 
 RANGES = {"m": (0.1, 10.0), "nu": (0.0, 0.4)}
 

@@ -1,6 +1,6 @@
 """Scores, and the lists of what no case catches."""
 
-from vmharness.studies.faults.detection import Detection, Finding, Noticed, coverage
+from vmharness.studies.faults.record import FaultsRecord, Finding, Noticed, coverage
 
 
 def finding(fault, noticed, share=None, kind="physics"):
@@ -8,7 +8,7 @@ def finding(fault, noticed, share=None, kind="physics"):
 
 
 def test_the_score_counts_what_changes_anything():
-    found = Detection(
+    found = FaultsRecord(
         "A",
         "0",
         [
@@ -23,13 +23,15 @@ def test_the_score_counts_what_changes_anything():
 
 
 def test_a_fault_is_caught_by_the_manual_if_one_case_catches_it():
-    blind = Detection("A", "0", [finding("k", Noticed.MISSED, 0.2), finding("friction", Noticed.UNSEEN)])
-    nearer = Detection("B", "0", [finding("k", Noticed.MISSED, 0.7), finding("friction", Noticed.UNSEEN)])
+    blind = FaultsRecord("A", "0", [finding("k", Noticed.MISSED, 0.2), finding("friction", Noticed.UNSEEN)])
+    nearer = FaultsRecord("B", "0", [finding("k", Noticed.MISSED, 0.7), finding("friction", Noticed.UNSEEN)])
     found = coverage([blind, nearer])
     assert [(one.fault, one.share) for one in found.missed] == [("k", 0.7)]  # the nearest to being caught
     assert [one.fault for one in found.unseen] == ["friction"]
     assert found.caught == 0
-    sees = Detection("C", "0", [finding("k", Noticed.CAUGHT, 9.0), finding("friction", Noticed.MISSED, 0.1)])
+    sees = FaultsRecord(
+        "C", "0", [finding("k", Noticed.CAUGHT, 9.0), finding("friction", Noticed.MISSED, 0.1)]
+    )
     found = coverage([blind, sees])
     assert found.missed == [sees.findings[1]]
     assert found.unseen == []
@@ -37,5 +39,5 @@ def test_a_fault_is_caught_by_the_manual_if_one_case_catches_it():
 
 
 def test_deck_faults_are_each_case_own():
-    own = Detection("A", "0", [finding("K +1 %", Noticed.MISSED, 0.3, "deck")])
+    own = FaultsRecord("A", "0", [finding("K +1 %", Noticed.MISSED, 0.3, "deck")])
     assert coverage([own]).matrix == {}

@@ -1,4 +1,4 @@
-"""What a study leaves beside a case's page, and how the page shows it."""
+"""Records of studies beside the page of a case: written, made into sections of the page, and checked for age."""
 
 import contextlib
 from collections.abc import Iterator, Mapping, Sequence
@@ -12,49 +12,34 @@ import msgspec
 from vmharness import plugins
 from vmharness.case import Case
 from vmharness.execution import atomic
-from vmharness.report.stamp import Stamp
+from vmharness.report.blocks import Section
 from vmharness.round_off import rounded
+from vmharness.studies.maker import Maker
 
 OLD = "The case was changed after this study: it is of an earlier state."
 STUDIES = "vmharness.report.sections"
 FOLDER = "studies"
 DIGITS = 10  # of a number in a record
+HASH = 8  # digits of a hash that are shown
 
 
 @dataclass(frozen=True)
-class Figure:
-    """A drawing: the stem of its file, its caption, its <svg> element."""
+class Stamp:
+    """What every record says, whichever study left it."""
 
-    name: str
-    caption: str
-    svg: str
+    case_sha256: str | None = None  # of the inputs of the case
+    made_by: Maker | None = None
 
+    @property
+    def says(self) -> str:
+        """What made it, as a sentence.
 
-@dataclass(frozen=True)
-class Table:
-    """Rows of text under a head; columns from `numbers` on are numbers, but for the last `words`."""
-
-    head: Sequence[str]
-    rows: Sequence[Sequence[str]]
-    numbers: int = 1
-    words: int = 0
-
-    def is_number(self, column: int) -> bool:
-        """Whether a column is of numbers."""
-        return self.numbers <= column < len(self.head) - self.words
-
-
-@dataclass(frozen=True)
-class Section:
-    """A section of the page: paragraphs, then tables, then figures, then remarks."""
-
-    title: str
-    summary: str  # a few words for the index, such as "order 2.00"
-    text: Sequence[str] = ()
-    tables: Sequence[Table] = ()
-    figures: Sequence[Figure] = ()
-    remarks: Sequence[str] = ()
-    made: str = ""  # what made the record that all this is from
+        >>> Stamp(made_by=Maker("vmharness 0.1.0", "3f2a9c1d" + 56 * "0")).says
+        'Made by vmharness 0.1.0, sources 3f2a9c1d.'
+        """
+        if self.made_by is None:
+            return "What made it is not recorded."
+        return f"Made by {self.made_by.solver or 'no solver'}, sources {self.made_by.sources[:HASH]}."
 
 
 @dataclass(frozen=True)
@@ -128,3 +113,29 @@ def _stamped(section: Section, content: bytes, case: Case) -> Section:
     if stamp.case_sha256 not in (None, case.inputs_sha256):
         section = replace(section, text=[OLD, *section.text])
     return replace(section, made=stamp.says)
+
+
+def stale(studies: Path, case_sha256: str, sources: str) -> list[str]:
+    """Of the records in a folder those that are not of this case and of these `sources`: a sentence for each reason.
+
+    `case_sha256` is of the inputs of the case.
+    """
+    found: dict[str, list[str]] = {}
+    for path in sorted(studies.glob("*.json")):
+        for reason in _reasons(path, case_sha256, sources):
+            found.setdefault(reason, []).append(path.stem)
+    return [f"study {', '.join(names)}: {reason}" for reason, names in found.items()]
+
+
+def _reasons(path: Path, case_sha256: str, sources: str) -> list[str]:
+    try:
+        stamp = msgspec.json.decode(path.read_bytes(), type=Stamp)
+    except (OSError, msgspec.MsgspecError):
+        return ["the record cannot be read"]
+    reasons = [] if stamp.case_sha256 == case_sha256 else ["the case was changed after it"]
+    if stamp.made_by is None:
+        reasons.append("what made it is not recorded")
+    elif stamp.made_by.sources != sources:
+        made, now = stamp.made_by.sources[:HASH], sources[:HASH]
+        reasons.append(f"made by sources {made}, which are now {now}")
+    return reasons

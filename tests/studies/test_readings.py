@@ -10,9 +10,9 @@ import pytest
 from vmharness.case import read
 from vmharness.history import History
 from vmharness.reading import prints_as, states
-from vmharness.studies.explain import scan
-from vmharness.studies.explain.explanation import SAMPLING
+from vmharness.studies.explain import readings
 from vmharness.studies.explain.published import columns, half_unit
+from vmharness.studies.explain.record import SAMPLING
 
 BALL = Path(__file__).parents[2] / "cases" / "VM-061"
 
@@ -64,15 +64,15 @@ def test_digits_made_with_an_interval_give_it_back(ball, history, interval):
         "z_peak": f"{history['z'][low]:.7f}",
     }
     (column,) = published(ball, **values).published
-    found = scan.best(ball, history, column)
+    found = readings.best(ball, history, column)
     assert found.interval == interval
     assert len(found.same) == 4
 
 
 def test_a_column_that_the_history_gives_needs_no_states(ball, history):
-    plain = scan.plain(ball, history, ball.file.published[0])
+    plain = readings.plain(ball, history, ball.file.published[0])
     (column,) = published(ball, **{key: f"{value:.6g}" for key, value in plain.values.items()}).published
-    assert scan.best(ball, history, column).interval == 0.0
+    assert readings.best(ball, history, column).interval == 0.0
 
 
 def test_targets_that_are_rounded_are_the_same(ball, history):

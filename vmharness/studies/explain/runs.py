@@ -6,11 +6,11 @@ from dataclasses import replace
 from vmharness.case import Case, CaseError
 from vmharness.deck import DeckError
 from vmharness.studies.changed_deck import contact_scales, with_step, with_stiffer_contacts
-from vmharness.studies.converge import levels as converge
+from vmharness.studies.converge import runs as converge
 from vmharness.studies.converge.richardson import Kind, Richardson, richardson
-from vmharness.studies.explain.explanation import Explained, Explanation, Part, explained, halved, sampled
+from vmharness.studies.explain.record import Explained, ExplainRecord, Part, explained, halved, sampled
 from vmharness.studies.faults.declared import RUN_LENGTH
-from vmharness.studies.made import maker
+from vmharness.studies.maker import maker
 from vmharness.studies.measured import Measured
 from vmharness.studies.variant import Variant
 
@@ -34,7 +34,7 @@ def variants(case: Case) -> dict[str, Variant]:
     return found | {variant.label: variant for variant in _meshes(case)}
 
 
-def explanation(case: Case, outcomes: Mapping[str, Measured]) -> Explanation:
+def record(case: Case, outcomes: Mapping[str, Measured]) -> ExplainRecord:
     """The split of every result that has a value; raises CaseError where the run as it is has not even one."""
     sound = outcomes[SOUND]
     if sound.failure:
@@ -58,7 +58,7 @@ def explanation(case: Case, outcomes: Mapping[str, Measured]) -> Explanation:
         if open_:
             notes.append(f"the mesh is not separated for {', '.join(open_)}: the sequence has no limit yet")
     made_by = maker(outcomes.values())
-    return Explanation(case.id, case.inputs_sha256, results, notes=notes, made_by=made_by)
+    return ExplainRecord(case.id, case.inputs_sha256, results, notes=notes, made_by=made_by)
 
 
 def _explained(case: Case, key: str, outcomes: Mapping[str, Measured]) -> Explained:
@@ -137,7 +137,7 @@ def _has_penalty(case: Case) -> bool:
 
 def _meshes(case: Case) -> list[Variant]:
     plan = case.file.converge
-    return converge.levels(case) if plan is not None and plan.refined != "time step" else []
+    return converge.variants(case) if plan is not None and plan.refined != "time step" else []
 
 
 def _with_exact_numbers(case: Case) -> Case:

@@ -47,8 +47,8 @@ def test_what_is_wrong_with_a_plan_is_said_with_its_place(changed, old, new, mes
     "case", sorted(path.parent for path in CASES.glob("*/case.toml")), ids=lambda p: p.name
 )
 def test_what_studies_of_the_cases_set_keeps_their_targets(case):
-    from vmharness.studies.converge.levels import levels
+    from vmharness.studies.converge.runs import variants
 
     found = read(case)
     if found.file.converge is not None:
-        assert len(levels(found)) == len(found.file.converge.levels)
+        assert len(variants(found)) == len(found.file.converge.levels)

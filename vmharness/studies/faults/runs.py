@@ -15,8 +15,8 @@ from vmharness.studies.faults.deck_faults import (
     parameter_faults,
     support_faults,
 )
-from vmharness.studies.faults.detection import Detection, Finding, Noticed
-from vmharness.studies.made import maker
+from vmharness.studies.faults.record import FaultsRecord, Finding, Noticed
+from vmharness.studies.maker import maker
 from vmharness.studies.measured import Measured
 from vmharness.studies.variant import Variant
 
@@ -45,9 +45,9 @@ def solver_faults(case: Case) -> list[Planted]:
     ]
 
 
-def detection(
+def record(
     case: Case, sound: Measured, faults: Sequence[Planted], outcomes: Sequence[Measured]
-) -> Detection:
+) -> FaultsRecord:
     """What the results of a case make of each fault, and of those that its deck has nothing of, which are not run."""
     found = [finding(fault, sound, outcome) for fault, outcome in zip(faults, outcomes, strict=True)]
     run = {fault.name for fault in faults}
@@ -60,7 +60,7 @@ def detection(
         else one
         for one in found
     ]
-    return Detection(case.id, case.inputs_sha256, found, maker([sound]))
+    return FaultsRecord(case.id, case.inputs_sha256, found, maker([sound]))
 
 
 def _is_idle(case: Case, name: str, found: Sequence[Finding]) -> bool:

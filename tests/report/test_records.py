@@ -3,8 +3,9 @@ from dataclasses import dataclass
 import pytest
 
 from vmharness import plugins, report
-from vmharness.report import section
-from vmharness.report.section import Figure, Section, Studies, Table
+from vmharness.report import records
+from vmharness.report.blocks import Figure, Section, Table
+from vmharness.report.records import Studies
 
 
 @dataclass
@@ -31,14 +32,14 @@ class Study:
 def study(monkeypatch):
     """One study, called kept, in place of those that there are."""
     names, module = plugins.names, plugins.module
-    monkeypatch.setattr(section.plugins, "names", lambda p: ["kept"] if p == section.STUDIES else names(p))
+    monkeypatch.setattr(records.plugins, "names", lambda p: ["kept"] if p == records.STUDIES else names(p))
     monkeypatch.setattr(
-        section.plugins, "module", lambda p, name: Study if p == section.STUDIES else module(p, name)
+        records.plugins, "module", lambda p, name: Study if p == records.STUDIES else module(p, name)
     )
 
 
 def left(folder, case, **others):
-    return section.write(folder, case.id, "kept", Record({"z_peak": 2.0}, **others))
+    return records.write(folder, case.id, "kept", Record({"z_peak": 2.0}, **others))
 
 
 def test_what_a_study_left_is_on_the_page(good, tmp_path, study):
@@ -66,10 +67,10 @@ def test_the_index_says_it_in_a_few_words(good, tmp_path, study, monkeypatch):
 
 def test_a_study_of_another_state_of_the_case_says_so(good, tmp_path, study):
     left(tmp_path, good.case)
-    assert section.studies(good.case, tmp_path / good.case.id).sections[0].text == ["Some <text>."]
+    assert records.studies(good.case, tmp_path / good.case.id).sections[0].text == ["Some <text>."]
     left(tmp_path, good.case, case_sha256="0" * 64)
-    assert section.studies(good.case, tmp_path / good.case.id).sections[0].text == [
-        section.OLD,
+    assert records.studies(good.case, tmp_path / good.case.id).sections[0].text == [
+        records.OLD,
         "Some <text>.",
     ]
 
@@ -77,9 +78,9 @@ def test_a_study_of_another_state_of_the_case_says_so(good, tmp_path, study):
 def test_other_data_than_the_case_s_have_no_studies(good, tmp_path, study):
     left(tmp_path, good.case)
     other = good.case.with_given({"k": 2000.0})
-    assert section.studies(other, tmp_path / good.case.id) == Studies([], {})
+    assert records.studies(other, tmp_path / good.case.id) == Studies([], {})
 
 
 def test_a_record_of_another_version_is_left_out(good, tmp_path):
-    path = section.write(tmp_path, good.case.id, "converge", Record({}))
-    assert section.studies(good.case, path.parents[1]) == Studies([], {})
+    path = records.write(tmp_path, good.case.id, "converge", Record({}))
+    assert records.studies(good.case, path.parents[1]) == Studies([], {})

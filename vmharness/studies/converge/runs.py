@@ -5,26 +5,26 @@ from collections.abc import Sequence
 from vmharness.case import Case, CaseError
 from vmharness.case.format import Converge
 from vmharness.formula import Unit
-from vmharness.studies.converge.convergence import Convergence, Level, refined
-from vmharness.studies.made import maker
+from vmharness.studies.converge.record import ConvergeRecord, Level, refined
+from vmharness.studies.maker import maker
 from vmharness.studies.measured import Measured
 from vmharness.studies.variant import Variant
 
 
-def levels(case: Case) -> list[Variant]:
+def variants(case: Case) -> list[Variant]:
     """A variant for each level of [converge]; raises CaseError without one, or where the targets would move."""
-    variants = []
+    found = []
     for number in _plan(case).levels:
         variant = case.with_given(_data(case, number))
         for result in case.file.results:
             target, moved = case.target(result.key), variant.target(result.key)
             if abs(moved - target) > 1e-9 * abs(target):
                 raise CaseError(f"{case.id}: [converge] N = {number:g} moves the target of {result.key}")
-        variants.append(Variant(variant, f"N = {number:g}"))
-    return variants
+        found.append(Variant(variant, f"N = {number:g}"))
+    return found
 
 
-def convergence(case: Case, outcomes: Sequence[Measured]) -> Convergence:
+def record(case: Case, outcomes: Sequence[Measured]) -> ConvergeRecord:
     """The record of the levels' outcomes."""
     plan = _plan(case)
     found = []
@@ -42,7 +42,7 @@ def convergence(case: Case, outcomes: Sequence[Measured]) -> Convergence:
         for result in case.file.results
     }
     dimension = case.formulas["converge size"].dimension({**case.dimensions, "N": Unit("").dimension})
-    return Convergence(
+    return ConvergeRecord(
         case=case.id,
         case_sha256=case.inputs_sha256,
         refined=plan.refined,
