@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from vmharness.compare import Verdict
-from vmharness.evidence.sensitivity import DIGITS, Sensitivity, smallest_seen
+from vmharness.evidence.sensitivity import DIGITS, PLACES, Sensitivity, smallest_seen
 from vmharness.report.number import DASH, decimals, given, positional, share
 from vmharness.report.page import Page, PlantedFault, worst_row
 from vmharness.result import CaseRun, Row
@@ -33,7 +33,11 @@ def summary(run: CaseRun) -> str:
         return run.reason or "nothing was judged"
     worst = worst_row(run)
     line = f"All {len(run.rows)} results lie within their tolerances"
-    return f"{line}; {worst.key} uses the most of its own, {used(worst)}." if worst else f"{line}."
+    if worst is None:
+        return f"{line}."
+    if worst.used == 0.0:
+        return f"{line}; their distances from theory are round-off."
+    return f"{line}; {worst.key} uses the most of its own, {used(worst)}."
 
 
 def used(row: Row | None) -> str:
@@ -82,4 +86,4 @@ def seen(page: Page, datum: str) -> str:
 
 def per_percent(one: Sensitivity) -> str:
     """By how many percent a target moves per percent of a datum."""
-    return positional(None if one.percent is None else rounded(one.percent, DIGITS), 4)
+    return positional(None if one.percent is None else round(rounded(one.percent, DIGITS), PLACES), 4)
