@@ -10,7 +10,7 @@ Item = TypeVar("Item")
 
 ROUND_OFF = 1e-12  # of a target: a run's distance from it that is not larger is round-off
 AGREE = 1e-6  # relative: numbers that differ by less are equal where they are put in order
-DIGITS = 12  # of a number that is printed with fewer, so that 0.125 and 0.12499999999999999 print alike
+DIGITS = 9  # of a number that is printed with fewer, so that 0.125 and 0.12499999999999999 print alike
 
 
 def rounded(value: float, digits: int = DIGITS) -> float:

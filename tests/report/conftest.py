@@ -33,6 +33,7 @@ def row(case, key, difference):
         published={
             column.name: Published(column.values[key], column.errors_percent.get(key))
             for column in case.file.published
+            if key in column.values
         },
     )
 
@@ -74,6 +75,12 @@ def reading(case, key, read, same, other=None):
         other=other,
         other_same=other is not None,
     )
+
+
+@pytest.fixture
+def result_row():
+    """`row`, for runs that a test makes itself."""
+    return row
 
 
 @pytest.fixture(scope="session")

@@ -50,7 +50,7 @@ HASH = sources()
         ("events.py", "    return ", "    return  "),
         ("report/wording.py", '"', "'"),
         ("cli/say.py", "import", "import math, "),
-        ("studies/sweep/points.py", "1", "2"),
+        ("studies/sweep/runs.py", "1", "2"),
     ],
     ids=lambda text: None if text.endswith(".py") else "",
 )

@@ -7,7 +7,7 @@ from vmharness.report.number import DASH, decimals, given, positional, share
 from vmharness.report.page import Page, PlantedFault, worst_row
 from vmharness.result import CaseRun, Row
 from vmharness.round_off import ROUND_OFF, rounded
-from vmharness.studies.sensitivity import DIGITS, Sensitivity, smallest_seen
+from vmharness.studies.sensitivity import DIGITS, PLACES, Sensitivity, smallest_seen
 
 VISIBLE = 200  # a tolerance of so many times round-off, of which that is half a percent
 SIGNS = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.ERROR: "!"}
@@ -33,7 +33,11 @@ def summary(run: CaseRun) -> str:
         return run.reason or "nothing was judged"
     worst = worst_row(run)
     line = f"All {len(run.rows)} results lie within their tolerances"
-    return f"{line}; {worst.key} uses the most of its own, {used(worst)}." if worst else f"{line}."
+    if worst is None:
+        return f"{line}."
+    if worst.used == 0.0:
+        return f"{line}; their distances from theory are round-off."
+    return f"{line}; {worst.key} uses the most of its own, {used(worst)}."
 
 
 def used(row: Row | None) -> str:
@@ -82,4 +86,4 @@ def seen(page: Page, datum: str) -> str:
 
 def per_percent(one: Sensitivity) -> str:
     """By how many percent a target moves per percent of a datum."""
-    return positional(None if one.percent is None else rounded(one.percent, DIGITS), 4)
+    return positional(None if one.percent is None else round(rounded(one.percent, DIGITS), PLACES), 4)

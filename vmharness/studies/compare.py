@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass, field
 
-from vmharness.round_off import ordered
+from vmharness.round_off import ROUND_OFF, ordered
 
 RANK = {"pass": 0, "fail": 1, "error": 2}
 
@@ -92,7 +92,12 @@ def _pair(case: str, key: str, a: Result | None, b: Result | None) -> Pair:
         scale = abs(known.target or values[0]) or math.nan
         percent = 100.0 * (values[1] - values[0]) / scale if values[1] != values[0] else 0.0
         share = abs(percent) / known.tolerance_percent if known.tolerance_percent else None
-    moved = bool(a and b and a.target != b.target)
+    moved = bool(a and b and not _same(a.target, b.target))
     return Pair(
         case, key, known.unit, *values, percent, share, verdicts, "the target is another" if moved else ""
     )
+
+
+def _same(a: float | None, b: float | None) -> bool:
+    """Whether two targets are one but for round-off."""
+    return a == b if a is None or b is None else math.isclose(a, b, rel_tol=ROUND_OFF)

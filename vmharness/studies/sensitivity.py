@@ -18,8 +18,8 @@ from vmharness.studies.faults.declared import change_seen, in_deck
 STEP = 1e-4  # h, as a fraction of the datum
 POINTS = (1.0 - 2.0 * STEP, 1.0 - STEP, 1.0 + STEP, 1.0 + 2.0 * STEP)
 AGREE = 0.1  # D(h) and D(2 h) differ by less than this fraction of the larger one
-NOISE = 1e-6  # a derivative below this is round-off of the formula
-DIGITS = 6  # of a derivative that are no round-off
+NOISE = 1e-8  # a derivative below this is round-off of the formula
+DIGITS, PLACES = 6, 9  # of a derivative that are no round-off: that of the formula, over STEP
 
 
 @dataclass(frozen=True)

@@ -78,6 +78,7 @@ def remarks(found: SweepRecord) -> list[str]:
 
 def _row(found: SweepRecord, result: Worst) -> list[str]:
     at = [number.short(result.at.get(name)) for name in found.ranges]
-    error = 0.0 if result.error is not None and abs(result.error) <= ROUND_OFF else result.error
-    percent = number.positional(None if error is None else 100.0 * error, 2)
-    return [result.key, str(result.failed), number.share(result.share), percent, *at]
+    if result.error is not None and abs(result.error) <= ROUND_OFF:
+        return [result.key, str(result.failed), "round-off", "0", *at]
+    error = number.positional(None if result.error is None else 100.0 * result.error, 2)
+    return [result.key, str(result.failed), number.share(result.share), error, *at]

@@ -1,5 +1,6 @@
 """Planted faults: changes of the deck alone that a case must notice."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -9,6 +10,7 @@ from vmharness.case import Case, CaseError
 from vmharness.case.format import Fault
 from vmharness.case.settings import changed_value
 from vmharness.case.tolerance import allowed_difference
+from vmharness.round_off import ROUND_OFF
 
 # A parameter with just this formula is how long the deck runs, and no datum of its problem.
 RUN_LENGTH = "t_end"
@@ -88,11 +90,18 @@ def change_seen(case: Case, faulty: Case, key: str) -> float | None:
     """
     result = case.result(key)
     at, level = f"at {result.event}", f"level {result.event}"
-    if level in case.formulas and case.evaluate(level) != faulty.evaluate(level):
+    if not _unmoved(case, faulty, level):
         return None
-    if at not in case.formulas or case.evaluate(at) == faulty.evaluate(at):
+    if _unmoved(case, faulty, at):
         return faulty.target(key) - case.target(key)
     if result.channel not in case.file.curves:
         return None
     time = np.array([case.evaluate(at)])
     return float((faulty.curve(result.channel, time) - case.curve(result.channel, time))[0])
+
+
+def _unmoved(case: Case, faulty: Case, formula: str) -> bool:
+    """Whether a formula, if the case has it, has the same value for both data but for round-off."""
+    if formula not in case.formulas:
+        return True
+    return math.isclose(case.evaluate(formula), faulty.evaluate(formula), rel_tol=ROUND_OFF)
