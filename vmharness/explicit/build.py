@@ -16,8 +16,8 @@ from vmharness.explicit.kernels.threads import ncpu
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import State
 from vmharness.explicit.rigid import build as rigid_bodies
-from vmharness.explicit.rigid import elements as rigid_elements
-from vmharness.explicit.rigid.numbers import numbers
+from vmharness.explicit.rigid import element_mass as rigid_elements
+from vmharness.explicit.rigid.definitions import body_numbers
 from vmharness.explicit.timestep import caps, discrete, mass_scaling, penalty
 from vmharness.explicit.walls import planar
 
@@ -62,7 +62,7 @@ def _nodes(deck: Deck) -> Model:
     tables = deck.all(NODE)
     if not tables:
         raise DeckError("no *NODE in the deck", str(deck.path.name), 1)
-    bodies = np.array(numbers(deck), np.int64)
+    bodies = np.array(body_numbers(deck), np.int64)
     ids = np.concatenate([*(table.nid for table in tables), -bodies])
     x = np.concatenate([
         *(np.column_stack([table.x, table.y, table.z]) for table in tables), np.zeros((bodies.size, 3))

@@ -13,8 +13,7 @@ from vmharness.deck.keywords.boundary.prescribed_motion_rigid import BOUNDARY_PR
 from vmharness.explicit.constraints import prescribed_motion
 from vmharness.explicit.model.dof import place
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.rigid.members import held_by_cmo
-from vmharness.explicit.rigid.numbers import definitions, lead_number
+from vmharness.explicit.rigid.definitions import definitions, held_by_cmo, lead_number
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -8,7 +8,7 @@ from vmharness.explicit.loads.node import NodalLoad
 from vmharness.explicit.model.curve import time_curve
 from vmharness.explicit.model.dof import place
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.rigid.numbers import lead_number
+from vmharness.explicit.rigid.definitions import lead_number
 
 NAME = "load on a rigid body"
 

@@ -12,7 +12,7 @@ from vmharness.deck.keywords.control.contact import CONTROL_CONTACT
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import node_set
 from vmharness.explicit.model.state import Array
-from vmharness.explicit.rigid.members import members
+from vmharness.explicit.rigid.body import find_bodies
 from vmharness.explicit.walls.planar.face import NORMAL
 
 Index = NDArray[np.intp]
@@ -48,8 +48,8 @@ def tracked(deck: Deck, model: Model, entry: Entry, face: Array, ruled: Flags, r
 def rigid_nodes(deck: Deck, model: Model) -> Flags:
     """Which nodes (n,) belong to rigid bodies."""
     rigid = np.zeros(model.ids.size, bool)
-    for member in members(deck, model):
-        rigid[member.nodes] = True
+    for body in find_bodies(deck, model):
+        rigid[body.nodes] = True
     return rigid
 
 
