@@ -9,7 +9,7 @@ from vmharness.explicit.constraints.spc import Supports
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.probes._quantity import Probe, ProbeError, choose, of_resultant, split
 from vmharness.explicit.rigid.constraints import RigidBodies
-from vmharness.explicit.walls.planar.wall import PlanarWall
+from vmharness.explicit.walls.wall import PlanarWall
 
 
 def of_support(model: Model, support: int | Literal["all"], component: str) -> Probe:

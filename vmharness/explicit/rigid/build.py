@@ -43,9 +43,12 @@ def build(deck: Deck, model: Model) -> None:
     model.state.lumped = model.state.mass.copy()
     for row, body, one, (v, omega) in zip(centre, found, inertia, velocity, strict=True):
         _set_centre(model, row, body, one, v, omega)
+    motions = _motions(model, centre)
+    for motion in motions:
+        motion.begin(model)  # its velocity overrules that of the body
     for row, body in zip(centre, found, strict=True):
         _set_nodes(model, row, body.nodes)
-    _add_constraints(deck, model, found, _bodies(model, found, inertia, centre))
+    _add_constraints(deck, model, found, _bodies(model, found, inertia, centre), motions)
     _add_facts(model, found, inertia)
 
 
@@ -89,11 +92,13 @@ def _bodies(model: Model, found: list[RigidBody], inertia: list[Inertia], centre
     )  # fmt: skip
 
 
-def _add_constraints(deck: Deck, model: Model, found: list[RigidBody], bodies: Bodies) -> None:
+def _add_constraints(
+    deck: Deck, model: Model, found: list[RigidBody], bodies: Bodies, motions: list[PrescribedMotion]
+) -> None:
     """Add the constraints of the bodies, with joints, driven rotations and damping."""
     held = np.array([body.held for body in found])
     movable = np.where(held[:, :3], 0.0, bodies.inverse_mass[bodies.centre][:, None])
-    motions, damping = _motions(model, bodies.centre), _damping_rates(model)
+    damping = _damping_rates(model)
     drives = [_drive(motion, bodies.centre) for motion in motions if motion.dof >= 3]
     for drive in drives:
         bodies.given[drive.body, drive.axis] = True
