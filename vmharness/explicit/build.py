@@ -29,35 +29,23 @@ from vmharness.explicit.walls import planar
 def build(deck: Deck) -> Model:
     """The model of a deck; raises DeckError for input that is not supported, and for a free node without mass."""
     model = _nodes(deck)
-    _add_all("elements", deck, model)  # first: their mass, stiffness and steps are read by all other passes
-    element_mass.build(
-        deck, model
-    )  # with the elements: it completes the lumped mass, which rigid bodies sum up
-    _add_all(
-        "contact.kinds", deck, model
-    )  # before velocities, walls and bodies read coordinates: IGNORE moves nodes
+    _add_all("elements", deck, model)  # first: all others read their mass, stiffness and steps
+    element_mass.build(deck, model)  # with the elements: it completes the mass that rigid bodies sum up
+    _add_all("contact.kinds", deck, model)  # before velocities, walls and bodies: IGNORE moves nodes
     control_contact.build(deck, model)  # after the contacts: its fact is listed behind theirs
-    _add_all("loads", deck, model)  # before rigid bodies, which check that a load acts on all of a body
+    _add_all("loads", deck, model)  # before rigid bodies, which check that a load acts on a whole body
     velocity.build(deck, model)  # before motions and supports: these overrule initial velocities
-    prescribed_motion.build(
-        deck, model
-    )  # before those of rigid bodies: the numbers of motions continue there
-    prescribed_motion_rigid.build(deck, model)  # before mass damping, which leaves driven directions out
-    spc.build(deck, model)  # before mass damping, which leaves supported directions out
-    mass_damping.build(deck, model)  # before walls: these act on the acceleration that damping leaves
-    planar.build(deck, model)  # after motions: it leaves out nodes that one rules along the wall's normal
-    stiffness_damping.build(
-        deck, model
-    )  # before mass is scaled: COEF > 0 refers to the first step of the elements
-    limits.add_caps(
-        deck, model
-    )  # before contacts report their steps: a cap may make the run's step short enough
-    limits.reserve_mass(
-        model
-    )  # before mass is scaled: m_e/h_e^2 is a stiffness, which scaling does not change
-    mass_scaling.build(deck, model)  # after all constraints on nodes: it keeps the velocities that these rule
+    prescribed_motion.build(deck, model)  # before those of rigid bodies, whose numbers continue these
+    prescribed_motion_rigid.build(deck, model)  # before mass damping, which leaves out driven directions
+    spc.build(deck, model)  # before mass damping, which leaves out supported directions
+    mass_damping.build(deck, model)  # before walls, which act on the accelerations that damping leaves
+    planar.build(deck, model)  # after motions: it leaves out nodes that one rules along the normal
+    stiffness_damping.build(deck, model)  # before mass is scaled: COEF > 0 refers to the first steps
+    limits.add_caps(deck, model)  # before contacts compare their steps: a cap can make the step short
+    limits.reserve_mass(model)  # before mass is scaled: m_e/h_e^2 is a stiffness, which must not change
+    mass_scaling.build(deck, model)  # after all constraints on nodes, whose velocities it keeps
     limits.report_contact_steps(deck, model)  # after mass is scaled: it compares the steps that result
-    rigid_bodies.build(deck, model)  # last: it moves all mass from the nodes of a body to its centre
+    rigid_bodies.build(deck, model)  # last: it moves the mass of each body from its nodes to its centre
     _check_masses(deck, model)
     _check_histories(deck, model)
     s = model.state
