@@ -1,6 +1,7 @@
 """Imports point one way: every module may import from its own layer's right only."""
 
 import ast
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -74,3 +75,45 @@ def test_the_check_can_fail(tmp_path):
     wrong = tmp_path / "wrong.py"
     wrong.write_text("def f():\n    from vmharness.report import page\n    import vmharness.cli.say\n")
     assert imported(wrong) == {"report", "cli"}
+
+
+def name_of(path: Path) -> str:
+    """The dotted name of a module."""
+    parts = path.relative_to(PACKAGE.parent).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def imported_at_once(source: str, modules: set[str]) -> set[str]:
+    """Those of `modules` that a source imports when it is itself imported: not in functions, not for type checkers."""
+    found, todo = set[str](), list[ast.stmt](ast.parse(source).body)
+    while todo:
+        node = todo.pop()
+        if isinstance(node, ast.ImportFrom) and node.module:
+            full = {alias.name: f"{node.module}.{alias.name}" for alias in node.names}
+            found.update(name if name in modules else node.module for name in full.values())
+        elif isinstance(node, ast.Import):
+            found.update(alias.name for alias in node.names)
+        elif isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test):
+            todo += node.orelse
+        elif isinstance(node, ast.If | ast.Try | ast.With):
+            todo += [*node.body, *getattr(node, "orelse", [])]
+    return found & modules
+
+
+def test_no_module_imports_itself_by_way_of_others():
+    paths = {name_of(path): path for path in PACKAGE.rglob("*.py")}
+    graph = {name: imported_at_once(path.read_text(), set(paths)) for name, path in paths.items()}
+    TopologicalSorter(graph).prepare()  # raises CycleError, which names the modules of the circle
+
+
+def test_imports_for_type_checkers_and_in_functions_make_no_circle():
+    source = """
+import a
+from b import c
+from b import d
+if TYPE_CHECKING:
+    import e
+def f():
+    import g
+"""
+    assert imported_at_once(source, {"a", "b", "b.c", "e", "g"}) == {"a", "b", "b.c"}

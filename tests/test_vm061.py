@@ -11,7 +11,7 @@ from vmharness.backends import builtin
 from vmharness.case import read
 from vmharness.compare import Verdict
 from vmharness.explicit.kernels import integrate
-from vmharness.explicit.probes import node as node_probes
+from vmharness.explicit.probes import motion
 from vmharness.history import History
 from vmharness.run import run
 
@@ -128,13 +128,13 @@ def full_step_start(monkeypatch):
 
 def half_step_velocity(monkeypatch):
     """v_{n-1/2} is reported as v_n."""
-    right = node_probes.probe
+    right = motion.of_node
 
     def wrong(model, node, component):
         s, row = model.state, int(np.flatnonzero(model.ids == node)[0])
         return (lambda: s.v[row, 2]) if component == "z-velocity" else right(model, node, component)
 
-    monkeypatch.setattr(node_probes, "probe", wrong)
+    monkeypatch.setitem(motion.PROBES, "node", wrong)
 
 
 def late_stamp(monkeypatch):

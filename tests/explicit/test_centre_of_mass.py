@@ -3,8 +3,7 @@
 import pytest
 
 from vmharness.explicit.loop import steps
-from vmharness.explicit.probe import ProbeError
-from vmharness.explicit.probes import probe
+from vmharness.explicit.probes import ProbeError, probe
 
 # Two square shells that share two nodes: parts of masses 2 and 6, and a point mass of 4 at a far corner.
 # (The fixed wall of the fixture has 4e-5.)

@@ -6,8 +6,7 @@ import pytest
 from vmharness.deck import DeckError
 from vmharness.explicit import energy
 from vmharness.explicit.loop import steps
-from vmharness.explicit.probe import ProbeError
-from vmharness.explicit.probes import probe
+from vmharness.explicit.probes import ProbeError, probe
 
 BALLS = "*NODE\n5,0,0,1\n6,1,0,1\n*ELEMENT_MASS\n105,5,2.0\n106,6,4.0\n*SET_NODE_LIST\n3\n5,6\n"
 BENT = "*DEFINE_CURVE\n2\n0.0,0.0\n0.3,0.6\n0.5,-0.2\n2.0,0.7\n"  # bends between steps

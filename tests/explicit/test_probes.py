@@ -5,12 +5,12 @@ import pytest
 from vmharness import plugins
 from vmharness.case.format import OWNERS
 from vmharness.explicit import probes
-from vmharness.explicit.probe import ProbeError, split
-from vmharness.explicit.probes import probe
+from vmharness.explicit.probes import ProbeError, probe
+from vmharness.explicit.probes._quantity import split
 
 
-def test_every_key_of_a_channel_has_just_one_kind():
-    keys = [key for kind in plugins.modules(probes.__name__) for key in kind.KEYS]
+def test_every_key_of_a_channel_has_just_one_probe():
+    keys = [key for module in plugins.modules(probes.__name__, "PROBES") for key in module.PROBES]
     assert sorted(keys) == sorted(OWNERS)
 
 

@@ -203,3 +203,14 @@ def test_a_prescribed_motion_drags_the_new_mass_along(wall_and):
     assert scaling.energy["damping"][0] == 0.0
     put_in = energy[0, 0] + energy[:, 1]
     np.testing.assert_allclose(energy[:, 0], put_in, rtol=1e-3)
+
+
+def test_a_spring_at_a_scaled_bar_has_the_stiffness_of_the_bar_before_scaling(wall_and):
+    """m = phi m_e bears dt^2 (k/4 + m_e/h^2): 0.01039. With h after scaling the step would be that of DT2MS, 0.012."""
+    spring = "*PART\nspring\n5,5,5\n*SECTION_DISCRETE\n5\n\n*MAT_SPRING_ELASTIC\n5,{}\n*ELEMENT_DISCRETE\n5,5,22,0,1\n"
+    rest = "*BOUNDARY_SPC_NODE\n25,0,1,1,1,1,1,1\n*DEFINE_SD_ORIENTATION\n1,0,1.0\n"
+    k, m, h, aim = 4.0 / 3.0, 1e-4, 0.01, 0.015
+    model = wall_and(BARS + rest + spring.format(k) + timestep(dt2ms=-aim), end=0.05)
+    expected = TSSFAC * np.sqrt((aim / h) ** 2 * m / (k / 4.0 + m / h**2))
+    assert expected == pytest.approx(0.01039, abs=5e-6)
+    np.testing.assert_allclose(taken(model)[0], expected, rtol=1e-6)

@@ -1,4 +1,8 @@
-"""A deck -> its model: nodes first, then what pushes on them and what rules their motion, in an order that matters."""
+"""Build the model of a deck.
+
+The order of the passes is part of the method: a pass reads what earlier ones have set, and in every cycle forces are
+added and constraints act in the order in which they were built. Each line of `build` gives the reason for its place.
+"""
 
 import numpy as np
 
@@ -11,38 +15,37 @@ from vmharness.explicit.constraints import prescribed_motion, prescribed_motion_
 from vmharness.explicit.contact import control_contact
 from vmharness.explicit.damping import mass as mass_damping
 from vmharness.explicit.damping import stiffness as stiffness_damping
-from vmharness.explicit.initial import velocity, velocity_generation
+from vmharness.explicit.initial import velocity
 from vmharness.explicit.kernels.threads import ncpu
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import State
 from vmharness.explicit.rigid import build as rigid_bodies
-from vmharness.explicit.rigid import elements as rigid_elements
-from vmharness.explicit.rigid.numbers import numbers
-from vmharness.explicit.timestep import caps, discrete, mass_scaling, penalty
+from vmharness.explicit.rigid import element_mass
+from vmharness.explicit.rigid.definitions import body_numbers
+from vmharness.explicit.timestep import limits, mass_scaling
 from vmharness.explicit.walls import planar
 
 
 def build(deck: Deck) -> Model:
-    """The model of a deck; raises DeckError for what cannot be built, or could move without having mass."""
+    """The model of a deck; raises DeckError for input that is not supported, and for a free node without mass."""
     model = _nodes(deck)
-    _add_all("elements", deck, model)  # first: they make the mass and the stiffness that all others ask for
-    rigid_elements.build(deck, model)  # mass alone, of parts that are rigid
-    _add_all("contact.kinds", deck, model)  # before velocities: nodes that begin behind a surface are moved
-    control_contact.build(deck, model)  # says what of *CONTROL_CONTACT acts on none of these contacts
-    _add_all("loads", deck, model)
-    velocity.build(deck, model)
-    velocity_generation.build(deck, model)  # overrules *INITIAL_VELOCITY where both are allowed
-    prescribed_motion.build(deck, model)  # overrules initial velocities
-    prescribed_motion_rigid.build(deck, model)
-    spc.build(deck, model)  # overrules all of these: a support holds
-    mass_damping.build(deck, model)  # acts on the accelerations that supports and motions have left
-    stiffness_damping.build(deck, model)
-    planar.build(deck, model)  # a wall sees what is then left of the motion along its normal
-    caps.build(deck, model)
-    discrete.build(deck, model)  # before mass is scaled: what elements leave to springs is a stiffness
-    mass_scaling.build(deck, model)  # needs all elements
-    penalty.build(deck, model)  # needs the step that is then allowed
-    rigid_bodies.build(deck, model)  # last: they take all mass from their nodes
+    _add_all("elements", deck, model)  # first: all others read their mass, stiffness and steps
+    element_mass.build(deck, model)  # with the elements: it completes the mass that rigid bodies sum up
+    _add_all("contact.kinds", deck, model)  # before velocities, walls and bodies: IGNORE moves nodes
+    control_contact.build(deck, model)  # after the contacts: its fact is listed behind theirs
+    _add_all("loads", deck, model)  # before rigid bodies, which check that a load acts on a whole body
+    velocity.build(deck, model)  # before motions and supports: these overrule initial velocities
+    prescribed_motion.build(deck, model)  # before those of rigid bodies, whose numbers continue these
+    prescribed_motion_rigid.build(deck, model)  # before mass damping, which leaves out driven directions
+    spc.build(deck, model)  # before mass damping, which leaves out supported directions
+    mass_damping.build(deck, model)  # before walls, which act on the accelerations that damping leaves
+    planar.build(deck, model)  # after motions: it leaves out nodes that one rules along the normal
+    stiffness_damping.build(deck, model)  # before mass is scaled: COEF > 0 refers to the first steps
+    limits.add_caps(deck, model)  # before contacts compare their steps: a cap can make the step short
+    limits.reserve_mass(model)  # before mass is scaled: m_e/h_e^2 is a stiffness, which must not change
+    mass_scaling.build(deck, model)  # after all constraints on nodes, whose velocities it keeps
+    limits.report_contact_steps(deck, model)  # after mass is scaled: it compares the steps that result
+    rigid_bodies.build(deck, model)  # last: it moves the mass of each body from its nodes to its centre
     _check_masses(deck, model)
     _check_histories(deck, model)
     s = model.state
@@ -52,7 +55,7 @@ def build(deck: Deck) -> Model:
 
 
 def _add_all(folder: str, deck: Deck, model: Model) -> None:
-    """Let every module of a folder add to the model, in the order of their NAMEs, whatever their files are called."""
+    """Build with every module of a folder, in the order of their NAMEs: names of files have no effect."""
     found = plugins.modules(f"vmharness.explicit.{folder}", "NAME", "build")
     for module in sorted(found, key=lambda module: str(module.NAME)):
         module.build(deck, model)
@@ -62,7 +65,7 @@ def _nodes(deck: Deck) -> Model:
     tables = deck.all(NODE)
     if not tables:
         raise DeckError("no *NODE in the deck", str(deck.path.name), 1)
-    bodies = np.array(numbers(deck), np.int64)
+    bodies = np.array(body_numbers(deck), np.int64)
     ids = np.concatenate([*(table.nid for table in tables), -bodies])
     x = np.concatenate([
         *(np.column_stack([table.x, table.y, table.z]) for table in tables), np.zeros((bodies.size, 3))
@@ -85,24 +88,24 @@ def _nodes(deck: Deck) -> Model:
 
 
 def _check_masses(deck: Deck, model: Model) -> None:
-    """A node that could move, but has no mass, would move with infinite acceleration."""
+    """Every free node has mass: otherwise its acceleration would be infinite."""
     held = np.zeros((model.ids.size, 6), bool)
     for constraint in model.constraints:
         held |= constraint.fixed
-    loose = (model.state.mass <= 0.0) & ~held[:, :3].all(axis=1)
-    if not loose.any():
+    massless = (model.state.mass <= 0.0) & ~held[:, :3].all(axis=1)
+    if not massless.any():
         return
-    nid = model.ids[np.flatnonzero(loose)[0]]
+    nid = model.ids[np.flatnonzero(massless)[0]]
     for table in deck.all(NODE):
         for row in np.flatnonzero(table.nid == nid):
-            others = f" ({loose.sum()} such nodes)" if loose.sum() > 1 else ""
+            others = f" ({massless.sum()} such nodes)" if massless.sum() > 1 else ""
             raise table.error(
                 "nid", f"a free node without mass{others}; give it mass, or support it", int(row)
             )
 
 
 def _check_histories(deck: Deck, model: Model) -> None:
-    """A node whose history the deck asks for must be there: else the name is wrong, or the mesh."""
+    """Every node of *DATABASE_HISTORY_NODE is in the deck."""
     for keyword, ids in (("DATABASE_HISTORY_NODE", "ids"), ("DATABASE_HISTORY_NODE_ID", "id1")):
         for table in deck.all(keyword):
             model.find(table, ids, getattr(table, ids))

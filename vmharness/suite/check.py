@@ -45,7 +45,7 @@ def _deck(case: "Case") -> list[str]:
     from vmharness.backends import builtin
     from vmharness.deck import DeckError
     from vmharness.explicit.build import build
-    from vmharness.explicit.probe import ProbeError
+    from vmharness.explicit.probes import ProbeError
 
     try:
         model = build(builtin.read_deck(case))

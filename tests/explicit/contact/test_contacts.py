@@ -11,8 +11,7 @@ from vmharness.explicit.build import build
 from vmharness.explicit.contact.contact import Contact
 from vmharness.explicit.contact.released import released
 from vmharness.explicit.loop import steps
-from vmharness.explicit.probe import ProbeError
-from vmharness.explicit.probes import probe
+from vmharness.explicit.probes import ProbeError, probe
 
 # The wall of the fixture is 0.1 thick, and K A/d = sqrt(2); node 5 is a ball of mass 0.5.
 BALL = "*ELEMENT_MASS\n105,5,0.5\n*SET_NODE_LIST\n2\n5\n*CONTROL_CONTACT\n1.0\n\n"

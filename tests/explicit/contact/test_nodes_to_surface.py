@@ -9,8 +9,7 @@ from vmharness.deck import DeckError
 from vmharness.explicit import energy
 from vmharness.explicit.contact.contact import Contact
 from vmharness.explicit.loop import steps
-from vmharness.explicit.probe import ProbeError
-from vmharness.explicit.probes import probe
+from vmharness.explicit.probes import ProbeError, probe
 
 K_WALL = math.sqrt(2.0)  # K A / d of the wall, before SLSFAC
 

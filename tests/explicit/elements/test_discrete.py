@@ -11,8 +11,7 @@ from vmharness.explicit.build import build
 from vmharness.explicit.elements.discrete.limit import stable_step
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.loop import steps
-from vmharness.explicit.probe import ProbeError
-from vmharness.explicit.probes import probe
+from vmharness.explicit.probes import ProbeError, probe
 
 HEAD = (
     "*KEYWORD\n*CONTROL_TERMINATION\n{end}\n*CONTROL_TIMESTEP\n0.0,{tssfac}\n*SECTION_DISCRETE\n1\n\n2,1\n\n"

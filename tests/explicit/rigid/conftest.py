@@ -8,6 +8,7 @@ from vmharness.deck import Deck
 from vmharness.explicit.build import build
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.rigid.bodies import Bodies
+from vmharness.explicit.rigid.constraints import RigidBodies
 
 HEAD = """*KEYWORD
 *CONTROL_TERMINATION
@@ -83,9 +84,15 @@ def space(deck: Callable[[str], Deck]) -> Callable[..., Model]:
 
 
 @pytest.fixture
-def bodies() -> Callable[[Model], Bodies]:
+def constraint() -> Callable[[Model], RigidBodies]:
+    """The constraint of a model's rigid bodies."""
+    return lambda model: next(item for item in model.constraints if isinstance(item, RigidBodies))
+
+
+@pytest.fixture
+def bodies(constraint: Callable[[Model], RigidBodies]) -> Callable[[Model], Bodies]:
     """The bodies of a model."""
-    return lambda model: next(item for item in model.constraints if isinstance(item, Bodies))
+    return lambda model: constraint(model).bodies
 
 
 @pytest.fixture

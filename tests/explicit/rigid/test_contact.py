@@ -7,7 +7,7 @@ from vmharness.explicit import energy
 from vmharness.explicit.build import build
 from vmharness.explicit.loop import steps
 from vmharness.explicit.probes import probe
-from vmharness.explicit.rigid.bodies import Bodies
+from vmharness.explicit.rigid.constraints import RigidBodies
 
 RIGID, ELASTIC = "*MAT_RIGID\n5,1.0,300.0,0.0\n\n\n", "*MAT_ELASTIC\n5,1.0,300.0,0.0\n"
 PART = "*PART\nplate\n5,5,5\n"
@@ -215,7 +215,7 @@ def test_shares_of_extra_nodes_without_mass_add_no_energy_to_any_motion(wall_and
     assert shares.min() == pytest.approx(shares.max(), rel=1e-12)
     if x == 0.0:
         assert shares[0] == pytest.approx(0.02, rel=1e-12)
-    body = next(item for item in model.constraints if isinstance(item, Bodies))
+    body = next(item for item in model.constraints if isinstance(item, RigidBodies)).bodies
     rng = np.random.default_rng(1)
     for _ in range(50):
         v, omega = rng.normal(size=(2, 3))

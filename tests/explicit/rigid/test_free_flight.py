@@ -34,7 +34,7 @@ def test_a_constant_torque_about_a_principal_axis_is_exact(space, bodies, block,
     arm = model.x0[:8] - np.array(CENTRE)
     for s in steps(model):
         angle = rate * s.t**2 / 2
-        np.testing.assert_allclose(b.turned[0], np.eye(3)[axis] * angle, atol=1e-12)
+        np.testing.assert_allclose(b.angle[0], np.eye(3)[axis] * angle, atol=1e-12)
         np.testing.assert_allclose(b.spin[0], np.eye(3)[axis] * rate * s.t, atol=1e-12)
         along, u = np.eye(3)[axis], np.cross(np.eye(3)[axis], arm)
         turned = arm * np.cos(angle) + u * np.sin(angle) + np.outer(arm @ along, along) * (1 - np.cos(angle))

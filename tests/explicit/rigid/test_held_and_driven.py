@@ -14,16 +14,16 @@ RAMP = "*DEFINE_CURVE\n2\n0.0,0.0\n10.0,10.0\n"
 
 
 @pytest.mark.parametrize("code", range(8))
-def test_codes_of_cmo_hold_the_centre_and_the_rotations(space, bodies, held_block, code):
+def test_codes_of_cmo_hold_the_centre_and_the_rotations(space, constraint, held_block, code):
     axes = ["xyz".index(a) for a in ("", "x", "y", "z", "xy", "yz", "zx", "xyz")[code]]
     loads = "".join(f"*LOAD_RIGID_BODY\n7,{dof},1,{float(dof)}\n" for dof in (1, 2, 3, 5, 6, 7))
     model = space(held_block(code, code) + loads, end=0.2)
-    s, b, c = model.state, bodies(model), model.centre(7)
+    s, held, c = model.state, constraint(model), model.centre(7)
     for _ in steps(model):
-        moved, turned = s.x[c] - model.x0[c], b.turned[0]
+        moved, turned = s.x[c] - model.x0[c], held.bodies.angle[0]
         assert not moved[axes].any()
         assert not turned[axes].any()
-        np.testing.assert_allclose(b.reaction[0, axes], [-(1.0 + a) for a in axes], rtol=1e-14)
+        np.testing.assert_allclose(held.reaction[0, axes], [-(1.0 + a) for a in axes], rtol=1e-14)
     free = [a for a in range(3) if a not in axes]
     assert moved[free].all()
     assert turned[free].all()
@@ -46,7 +46,9 @@ def test_a_body_held_to_turn_about_z_has_moments_that_keep_its_tilted_axis(space
 
 
 @pytest.mark.parametrize("vad", [0, 1, 2])
-def test_a_driven_rotation_follows_its_curve_and_its_work_is_kinetic_energy(space, bodies, held_block, vad):
+def test_a_driven_rotation_follows_its_curve_and_its_work_is_kinetic_energy(
+    space, constraint, held_block, vad
+):
     text = held_block(7, 5) + RAMP + f"*BOUNDARY_PRESCRIBED_MOTION_RIGID\n7,5,{vad},2,0.5\n"
     model = space(text, end=2.0)
     angle, spin = (probe(model, rigid=7, component=f"x-{what}") for what in ("rotation", "angular-velocity"))
@@ -56,7 +58,7 @@ def test_a_driven_rotation_follows_its_curve_and_its_work_is_kinetic_energy(spac
     (work,) = [
         a
         for a in energy.accounts(model.constraints, "external work")
-        if a is bodies(model).energy["external work"]
+        if a is constraint(model).energy["external work"]
     ]
     begun = None
     for s in steps(model):
@@ -82,14 +84,14 @@ def test_a_driven_centre_follows_its_curve_and_the_nodes_go_with_it(space, block
         assert force() == pytest.approx({0: 4.0, 1: 4.0 * s.t, 2: 0.0}[vad], abs=1e-9)
 
 
-def test_damping_stops_a_spin_exponentially(space, bodies, free):
+def test_damping_stops_a_spin_exponentially(space, constraint, free):
     errors = []
     for step in (0.04, 0.02, 0.01):
         model = space(free(wx=0.5) + "*DAMPING_GLOBAL\n0,2.0\n", end=2.0, step=step)
-        b, begun, off = bodies(model), 0.5 * 1.0 * 0.25, 0.0
+        damped, begun, off = constraint(model), 0.5 * 1.0 * 0.25, 0.0
         for s in steps(model):
-            off = max(off, abs(b.spin[0, 0] - 0.5 * math.exp(-2.0 * s.t)))
-            assert model.kinetic() + b.energy["damping"][0] == pytest.approx(begun, rel=4 * step**2)
+            off = max(off, abs(damped.bodies.spin[0, 0] - 0.5 * math.exp(-2.0 * s.t)))
+            assert model.kinetic() + damped.energy["damping"][0] == pytest.approx(begun, rel=4 * step**2)
         errors.append(off)
     np.testing.assert_allclose(np.divide(errors[:-1], errors[1:]), 4.0, rtol=0.1)
 

@@ -114,7 +114,7 @@ def test_two_bodies_that_are_joined_in_space_keep_momentum_and_angular_momentum(
     found = []
     for _ in steps(model):
         v = s.v[c] + 0.5 * s.dt * s.a[c]
-        own = b.momentum(0) + b.momentum(1)
+        own = b.angular_momentum(0) + b.angular_momentum(1)
         found.append([*(mass * v).sum(axis=0), *(np.cross(s.x[c], mass * v).sum(axis=0) + own)])
     found = np.array(found)
     np.testing.assert_allclose(found[:, :3], found[:1, :3].repeat(len(found), 0), atol=1e-13)

@@ -9,9 +9,8 @@ import pytest
 from vmharness.deck import DeckError
 from vmharness.explicit import energy
 from vmharness.explicit.loop import steps
-from vmharness.explicit.probe import ProbeError
-from vmharness.explicit.probes import probe
-from vmharness.explicit.walls.planar.wall import PlanarWall
+from vmharness.explicit.probes import ProbeError, probe
+from vmharness.explicit.walls.wall import PlanarWall
 
 PLAIN = "*RIGIDWALL_PLANAR\n0\n{0},{1}\n"
 

@@ -18,8 +18,7 @@ from vmharness.explicit.contact.released import released
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.probe import Probe, ProbeError
-from vmharness.explicit.probes import probe
+from vmharness.explicit.probes import Probe, ProbeError, probe
 from vmharness.history import History
 from vmharness.result import Solution
 

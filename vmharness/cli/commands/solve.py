@@ -11,7 +11,7 @@ from vmharness.suite.outcome import EXIT_CODES, Status
 if TYPE_CHECKING:
     from vmharness.deck import Deck
     from vmharness.explicit.model.model import Model
-    from vmharness.explicit.probe import Probe
+    from vmharness.explicit.probes import Probe
     from vmharness.history import History
 
 STATES = 1000  # in the file, where the deck does not ask for an interval
@@ -31,7 +31,7 @@ def command(path: Path, csv: Path | None) -> int:
     from vmharness.backends.builtin import record
     from vmharness.deck import DeckError, read, vocabulary
     from vmharness.explicit.build import build
-    from vmharness.explicit.probe import ProbeError
+    from vmharness.explicit.probes import ProbeError
 
     try:
         deck = read(path, vocabulary())

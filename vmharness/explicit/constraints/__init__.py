@@ -1,1 +1,1 @@
-"""Constraints, one a file; the folder is the list."""
+"""Constraints on nodes and on centres of rigid bodies: supports and prescribed motions."""

@@ -4,18 +4,18 @@
     VAD 1, acceleration    a_n = c(t_n)
     VAD 2, displacement    v_{n+1/2} = (c_{n+1} - c_n)/dt           a_n = 0          x_n - x_0 = c(t_n)
 
-Each holds exactly at every t_n. A displacement is a broken line: its velocity is constant between the points of the
-curve, and what turns it at a point is an impulse, which no sample shows but the work has.
+Each holds exactly at every t_n. A displacement is piecewise linear: its velocity is constant between the points of the
+curve. At a point an impulse changes the velocity; a_n = 0 does not show it, but the work contains it.
 
-The reaction r = m a - f is what the motion exerts. Its work is what the nodes gain and what they pass on,
+The reaction r = m a - f is the force of the motion on its nodes. Its work is the increase of kinetic energy less the
+work of the other forces,
 
     W = sum of 1/2 m (v_{n+1}^2 - v_n^2) - 1/2 (f_n + f_{n+1}) dt v_{n+1/2},
 
-which is 1/2 (r_n + r_{n+1}) dt v_{n+1/2} to second order, and balances at impulses too.
+which is 1/2 (r_n + r_{n+1}) dt v_{n+1/2} to second order, and balances the energy at impulses too.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.boundary.prescribed_motion import (
@@ -28,9 +28,7 @@ from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.dof import place
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import node_set
-from vmharness.explicit.model.state import Array, State
-
-Index = NDArray[np.intp]
+from vmharness.explicit.model.state import Array, Index, State
 
 KEYWORDS = (BOUNDARY_PRESCRIBED_MOTION_NODE, BOUNDARY_PRESCRIBED_MOTION_SET)
 
@@ -38,18 +36,18 @@ VELOCITY, ACCELERATION, DISPLACEMENT = 0, 1, 2  # VAD
 
 
 def build(deck: Deck, model: Model) -> None:
-    """Add a constraint for each card, in the deck's order; one degree of freedom has one master."""
+    """Add a constraint for each card, in the deck's order; a degree of freedom may be ruled only once."""
     entries = [entry for entry in deck.entries if entry.keyword in KEYWORDS]
     if not entries:
         return
     held, moved = supported(deck, model), np.zeros((model.ids.size, 6), bool)
     for number, entry in enumerate(entries, 1):
         rows, dof = _nodes(deck, model, entry), place(entry)
-        for flags, master in ((held, "a support"), (moved, "another prescribed motion")):
+        for flags, other in ((held, "a support"), (moved, "another prescribed motion")):
             for row in rows[flags[rows, dof]]:
-                raise entry.error("dof", f"node {model.ids[row]} is ruled by {master} in this direction")
+                raise entry.error("dof", f"node {model.ids[row]} is ruled by {other} in this direction")
         moved[rows, dof] = True
-        model.constraints.append(motion(deck, model, entry, rows, number))
+        model.constraints.append(build_motion(deck, model, entry, rows, number))
 
 
 def _nodes(deck: Deck, model: Model, entry: Entry) -> Index:
@@ -58,8 +56,8 @@ def _nodes(deck: Deck, model: Model, entry: Entry) -> Index:
     return np.array([model.row(entry, "nid", entry.nid)], np.intp)
 
 
-def motion(deck: Deck, model: Model, entry: Entry, rows: Index, number: int) -> "PrescribedMotion":
-    """What the entry prescribes for nodes (m,), begun; raises DeckError for a motion that cannot be."""
+def build_motion(deck: Deck, model: Model, entry: Entry, rows: Index, number: int) -> "PrescribedMotion":
+    """The motion that `entry` prescribes for nodes (m,); raises DeckError for a motion that is impossible."""
     if entry.death <= entry.birth:
         raise entry.error("death", f"the motion would end before its birth at {entry.birth:g}")
     curve = time_curve(deck, entry, "lcid", min(model.end_time, entry.death) - entry.birth)
@@ -67,16 +65,8 @@ def motion(deck: Deck, model: Model, entry: Entry, rows: Index, number: int) -> 
         raise entry.error(
             "lcid", f"a displacement that begins with a jump, {curve(0.0):g}; let it begin at 0"
         )
-    motion = PrescribedMotion(
-        f"prescribed motion {number}",
-        rows,
-        place(entry),
-        entry.vad,
-        entry.sf,
-        curve,
-        entry.birth,
-        entry.death,
-    )
+    name, dof = f"prescribed motion {number}", place(entry)
+    motion = PrescribedMotion(name, rows, dof, entry.vad, entry.sf, curve, entry.birth, entry.death)
     motion.begin(model)
     return motion
 
@@ -92,12 +82,12 @@ class PrescribedMotion:
         self.energy = {"external work": np.zeros(1)}
         self.reaction = np.zeros(nodes.size)  # (m,)
         self.total = np.zeros(6)  # its sum, at `dof`
-        self.drives = False  # whether the last step was driven
+        self.drives = False  # true if the motion ruled the last step
         self.velocity = np.zeros(nodes.size)  # (m,) v_n
         self.force = np.zeros(nodes.size)  # (m,) f_n
 
     def begin(self, model: Model) -> None:
-        """Free its nodes of the need for mass if it drives them throughout; set their velocity, which overrules."""
+        """Set `fixed`, where no mass is needed as the motion lasts throughout; set the velocity at t = 0."""
         self.fixed = np.zeros((model.ids.size, 6), bool)
         self.fixed[self.nodes, self.dof] = self.throughout(model.end_time)
         if self.birth == 0.0 and self.vad != ACCELERATION:
@@ -105,11 +95,11 @@ class PrescribedMotion:
             self._arrays(model.state)[0][self.nodes, self.axis] = self.sf * v
 
     def throughout(self, end_time: float) -> bool:
-        """Whether it lasts from the beginning to the end of the run."""
+        """True if the motion lasts from the beginning to the end of the run."""
         return self.birth == 0.0 and self.death > end_time
 
     def accelerate(self, state: State) -> None:
-        """a_n, the reaction, and the work of the step that led to t_n."""
+        """Set a_n and the reaction, and add the work of the step that led to t_n."""
         drives = self.birth <= state.t < self.death
         t = state.t - self.birth
         value = self.sf * self.curve(t) if drives and self.vad != DISPLACEMENT else 0.0
@@ -123,7 +113,7 @@ class PrescribedMotion:
         self.total[self.dof] = self.reaction.sum()
 
     def move(self, state: State, dt: float) -> None:
-        """v_{n+1/2}, so that the step ends where the curve says."""
+        """Set v_{n+1/2} so that the displacement at t_{n+1} is that of the curve."""
         self.drives = self.birth <= state.t < self.death
         if self.drives and self.vad != ACCELERATION:
             t = state.t - self.birth
@@ -131,7 +121,7 @@ class PrescribedMotion:
             self._arrays(state)[0][self.nodes, self.axis] = self.sf * mean(t, t + dt)
 
     def _arrays(self, s: State) -> tuple[Array, Array, Array, Array]:
-        """v, a, f, m, or their rotational partners."""
+        """v, a, f, m, or the same quantities of rotation."""
         return (s.v, s.a, s.f, s.mass) if self.dof < 3 else (s.omega, s.alpha, s.moment, s.inertia)
 
 
@@ -140,7 +130,7 @@ def impose(
     v: Array, a: Array, f: Array, m: Array, nodes: Index, j: int, dt: float, drives: bool, drove: bool,
     is_velocity: bool, value: float, reaction: Array, velocity: Array, force: Array, work: Array,
 ) -> None:  # fmt: skip
-    """a_n = `value`, or what leads to v_n = `value`; r_n = m a_n - f_n; the work as the file says."""
+    """Set a_n = `value`, or the a_n of v_n = `value`; set r_n = m a_n - f_n, and add its work."""
     for k in range(nodes.size):
         i = nodes[k]
         free = v[i, j] + 0.5 * dt * a[i, j]

@@ -1,7 +1,6 @@
-"""*BOUNDARY_SPC_NODE, *BOUNDARY_SPC_SET and the constraint codes of *NODE: degrees of freedom that do not move."""
+"""*BOUNDARY_SPC_NODE, *BOUNDARY_SPC_SET and the constraint codes of *NODE: fixed degrees of freedom."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.boundary.spc import BOUNDARY_SPC_NODE, BOUNDARY_SPC_SET, DOFS
@@ -10,7 +9,7 @@ from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.dof import coded
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import node_set
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Flags, Index, State
 
 
 def build(deck: Deck, model: Model) -> None:
@@ -22,8 +21,8 @@ def build(deck: Deck, model: Model) -> None:
         model.constraints.append(Supports(fixed))
 
 
-def supported(deck: Deck, model: Model) -> NDArray[np.bool_]:
-    """Which degrees of freedom (n, 6) any support of the deck holds."""
+def supported(deck: Deck, model: Model) -> Flags:
+    """Degrees of freedom (n, 6) that a support of the deck fixes."""
     fixed = np.zeros((model.state.mass.size, 6), bool)
     for entry in deck.all(BOUNDARY_SPC_NODE):
         fixed[model.row(entry, "nid", entry.nid)] |= _flags(entry)
@@ -34,11 +33,11 @@ def supported(deck: Deck, model: Model) -> NDArray[np.bool_]:
     return fixed
 
 
-def _flags(entry: Entry) -> NDArray[np.bool_]:
+def _flags(entry: Entry) -> Flags:
     return np.array([getattr(entry, dof) == 1 for dof in DOFS])
 
 
-def _codes(entry: Entry, model: Model, fixed: NDArray[np.bool_]) -> None:
+def _codes(entry: Entry, model: Model, fixed: Flags) -> None:
     for offset, codes in ((0, entry.tc), (3, entry.rc)):
         for i in np.flatnonzero(codes):
             row = model.row(entry, "nid", entry.nid[i])
@@ -46,38 +45,31 @@ def _codes(entry: Entry, model: Model, fixed: NDArray[np.bool_]) -> None:
 
 
 class Supports:
-    """Fixed degrees of freedom: a = 0, and the reaction r = -f that keeps them so."""
+    """Fixed degrees of freedom: a = 0, with the reaction r = -f."""
 
     name = "supports"
 
-    def __init__(self, fixed: NDArray[np.bool_]) -> None:
+    def __init__(self, fixed: Flags) -> None:
         """`fixed` is (n, 6): x, y, z and the rotations about them, for every node."""
         self.energy: dict[str, Array] = {}  # fixed nodes do no work
         self.fixed = fixed
         self.nodes, self.dofs = np.nonzero(fixed)
         self.reaction = np.zeros((fixed.shape[0], 6))  # (n, 6) force and moment of the supports on the nodes
-        self.total = np.zeros(6)  # their sum; moments about each node's own place
+        self.total = np.zeros(6)  # their sum; each moment is that about its own node
 
     def accelerate(self, state: State) -> None:
-        """a = 0 and r = -f at the fixed degrees of freedom."""
-        hold(self.nodes, self.dofs, self.reaction, self.total, state.f, state.moment, state.a, state.alpha)
+        """Set a = 0 and r = -f at the fixed degrees of freedom."""
+        fix(self.nodes, self.dofs, self.reaction, self.total, state.f, state.moment, state.a, state.alpha)
 
     def move(self, state: State, dt: float) -> None:
-        """Nothing to do: what starts at rest and is not accelerated stays at rest."""
+        """Nothing to do: the velocity is zero from the start, and is not accelerated."""
 
 
 @kernel
-def hold(
-    nodes: NDArray[np.intp],
-    dofs: NDArray[np.intp],
-    reaction: Array,
-    total: Array,
-    f: Array,
-    moment: Array,
-    a: Array,
-    alpha: Array,
+def fix(
+    nodes: Index, dofs: Index, reaction: Array, total: Array, f: Array, moment: Array, a: Array, alpha: Array
 ) -> None:
-    """r = -f, a = 0 for each pair of node and degree of freedom."""
+    """Set r = -f, a = 0 for each pair of node and degree of freedom."""
     total[:] = 0.0
     for k in range(nodes.size):
         i, j = nodes[k], dofs[k]

@@ -1,1 +1,1 @@
-"""Damping, one kind a file; the folder is the list."""
+"""Damping in proportion to mass and to stiffness."""

@@ -2,19 +2,18 @@
 
     f = -D S m v        D = VALDMP or LC(t) (global), SF LC(t) (part)        S = STX ... SRZ, by direction
 
-D = 2 omega is critical for a mode of frequency omega. The force at t_n is that of v_n = v_{n-1/2} + dt/2 a_n, which
-the acceleration is solved for:
+D = 2 omega is critical for a mode of frequency omega. The force at t_n is that of v_n = v_{n-1/2} + dt/2 a_n, and the
+equation of motion is solved for the acceleration:
 
     a_n = (f_n/m - D S v_{n-1/2}) / (1 + D S dt/2)
 
-so that damping keeps the order 2 of central differences and sets no limit to the step: alone, it makes v_{n+1/2} =
-(1 - D dt/2)/(1 + D dt/2) v_{n-1/2}. (One that lags by half a step, -D v_{n-1/2}, is of order 1 and shortens the stable
-step.) Rotations are damped alike. What a support or a prescribed motion rules is not damped. S of zeros alone means
-ones.
+With this the order of central differences remains 2, and damping does not limit the step: without other forces
+v_{n+1/2} = (1 - D dt/2)/(1 + D dt/2) v_{n-1/2}. (Damping by -D v_{n-1/2} is of order 1 and shortens the stable step.)
+Rotations are damped in the same way. Degrees of freedom that a support or a prescribed motion rules are not damped. If
+all S are zero they count as ones.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.deck import Deck, DeckError, Entry
 from vmharness.deck.keywords.damping import DAMPING_GLOBAL, DAMPING_PART_MASS, FACTORS
@@ -24,9 +23,8 @@ from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import masses_of_parts, nodes_of_parts
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Flags, Index, State
 
-Index = NDArray[np.intp]
 Term = tuple[Index, Array, Curve]  # nodes (m,), S (6,), D(t)
 
 
@@ -56,18 +54,18 @@ def _global(deck: Deck, model: Model, entry: Entry) -> Term:
 
 
 def _parts(deck: Deck, model: Model, entries: list[Entry]) -> list[Term]:
-    """A term for each part; a node that parts with other damping share is refused: whose it is, none could say."""
+    """A term for each part; a node that parts share with different damping is an error: its mass is not divided."""
     damped = [_part(deck, model, entry) for entry in entries]
-    names: dict[int, tuple[object, ...]] = {}  # of the node's damping
+    by_node: dict[int, tuple[object, ...]] = {}
     for entry, (nodes, factors, _) in zip(entries, damped, strict=True):
-        name = (entry.lcid, entry.sf, *factors)
+        own = (entry.lcid, entry.sf, *factors)
         for row in nodes.tolist():
-            if names.setdefault(row, name) != name:
-                raise _shared(entry, model, row)
+            if by_node.setdefault(row, own) != own:
+                raise _shared_node(entry, model, row)
     rest = nodes_of_parts(deck, model, {part.pid for part in deck.all(PART)} - {e.pid for e in entries})
     for entry, (nodes, *_) in zip(entries, damped, strict=True):
         for row in np.intersect1d(nodes, rest):
-            raise _shared(entry, model, int(row))
+            raise _shared_node(entry, model, int(row))
     return damped
 
 
@@ -77,7 +75,7 @@ def _part(deck: Deck, model: Model, entry: Entry) -> Term:
     return masses_of_parts(deck, model, {entry.pid}), entry.sf * _factors(entry), curve
 
 
-def _shared(entry: Entry, model: Model, row: int) -> DeckError:
+def _shared_node(entry: Entry, model: Model, row: int) -> DeckError:
     return entry.error(
         "pid", f"node {model.ids[row]} belongs to a part with other damping as well; not supported"
     )
@@ -94,7 +92,7 @@ class MassDamping:
 
     name = "mass damping"
 
-    def __init__(self, terms: list[Term], free: NDArray[np.bool_]) -> None:
+    def __init__(self, terms: list[Term], free: Flags) -> None:
         """`terms`: nodes, S (6,) and D(t); `free` (n, 6): what no other constraint rules."""
         self.terms, self.free = terms, free
         self.steady = all(curve.constant for *_, curve in terms)
@@ -110,20 +108,20 @@ class MassDamping:
         self.rate *= self.free
 
     def accelerate(self, state: State) -> None:
-        """Solve for a_n, and account for the work of the step that led to t_n."""
+        """Solve for a_n, and add the work of the step that led to t_n."""
         if not self.steady:
             self._update(state.t)
         s, rate, force, energy = state, self.rate, self.force, self.energy["damping"]
-        damp(s.v, s.a, s.mass, rate[:, :3], force[:, :3], s.dt, energy)
-        damp(s.omega, s.alpha, s.inertia, rate[:, 3:], force[:, 3:], s.dt, energy)
+        add_damping(s.v, s.a, s.mass, rate[:, :3], force[:, :3], s.dt, energy)
+        add_damping(s.omega, s.alpha, s.inertia, rate[:, 3:], force[:, 3:], s.dt, energy)
 
     def move(self, state: State, dt: float) -> None:
-        """Nothing to do: the acceleration has it all."""
+        """Nothing to do: the damping is in the acceleration."""
 
 
 @kernel
-def damp(v: Array, a: Array, mass: Array, rate: Array, force: Array, dt: float, energy: Array) -> None:
-    """a = (a - D v)/(1 + D dt/2); what the damping takes, 1/2 (f_n + f_{n+1}) dt v_{n+1/2}, goes to `energy`."""
+def add_damping(v: Array, a: Array, mass: Array, rate: Array, force: Array, dt: float, energy: Array) -> None:
+    """Set a = (a - D v)/(1 + D dt/2), and add the dissipated work, -1/2 (f_n + f_{n+1}) dt v_{n+1/2}, to `energy`."""
     for i in range(mass.size):
         for j in range(3):
             damped = (a[i, j] - rate[i, j] * v[i, j]) / (1.0 + 0.5 * dt * rate[i, j])

@@ -1,1 +1,1 @@
-"""Initial conditions, one a file; the folder is the list."""
+"""Initial conditions: velocities at t = 0."""

@@ -1,1 +1,1 @@
-"""Loads, one a file; the folder is the list."""
+"""Loads, one kind a file. Contract of a module: `NAME`, and `build(deck, model)`, which adds its forces."""

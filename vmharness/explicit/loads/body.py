@@ -1,17 +1,16 @@
-"""*LOAD_BODY_X, _Y, _Z and _RX, _RY, _RZ: the motion of the base, felt as a force in the body.
+"""*LOAD_BODY_X, _Y, _Z and _RX, _RY, _RZ: inertial forces in a base that accelerates or rotates.
 
     _X    f = -m SF LC(t) along x                                       base acceleration
     _RX   f = m omega^2 r, omega = SF LC(t), r from the axis to x_n     base rotation: centrifugal, outward
 
-A positive acceleration pulls toward the negative axis (d'Alembert): +386 on *LOAD_BODY_Z lets a ball fall toward -z.
-The axis of _RX, _RY, _RZ is parallel to x, y, z and passes through (XC, YC, ZC). Euler and Coriolis forces are not
-part of it: it is for a body at rest in the turning base, and a curve of omega that varies slowly.
+A positive acceleration gives a force toward the negative axis (d'Alembert): with +386 on *LOAD_BODY_Z a ball falls
+toward -z. The axis of _RX, _RY, _RZ is parallel to x, y, z and passes through (XC, YC, ZC). Euler and Coriolis forces
+are left out: the load is for a body at rest in the rotating base, and for a curve of omega that varies slowly.
 
-*LOAD_BODY_PARTS restricts all of these to the nodes of a part set, with all the mass that they have.
+*LOAD_BODY_PARTS restricts all of these to the nodes of a part set, with all their mass.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.deck import Deck
 from vmharness.deck.keywords.load.body import (
@@ -28,11 +27,9 @@ from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import masses_of_parts, nodes_of_parts, part_set
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Index, State
 
 NAME = "body load"
-
-Index = NDArray[np.intp]
 
 
 def build(deck: Deck, model: Model) -> None:
@@ -50,7 +47,7 @@ def build(deck: Deck, model: Model) -> None:
 
 
 def _nodes(deck: Deck, model: Model) -> Index:
-    """All nodes, or those of *LOAD_BODY_PARTS, which other parts must not share: whose mass it is, none could say."""
+    """All nodes, or those of *LOAD_BODY_PARTS; a node shared with another part is an error: its mass is not divided."""
     chosen = deck.first(LOAD_BODY_PARTS)
     if chosen is None:
         return np.arange(model.ids.size)
@@ -73,17 +70,10 @@ class BodyLoad:
     def add(self, state: State) -> None:
         """f += m b, and the work 1/2 m (b_n + b_{n+1}) dt v_{n+1/2}."""
         before, self.acceleration = self.acceleration, -self.sf * self.curve(state.t)
-        pull(
-            state.f,
-            state.v,
-            state.mass,
-            self.nodes,
-            self.axis,
-            before,
-            self.acceleration,
-            state.dt,
+        uniform_force(
+            state.f, state.v, state.mass, self.nodes, self.axis, before, self.acceleration, state.dt,
             self.energy["external work"],
-        )
+        )  # fmt: skip
 
 
 class Centrifugal:
@@ -98,14 +88,14 @@ class Centrifugal:
     def add(self, state: State) -> None:
         """f += m omega^2 r at t_n, and the work 1/2 (f_n + f_{n+1}) dt v_{n+1/2}."""
         before, self.square = self.square, (self.sf * self.curve(state.t)) ** 2
-        fling(
+        centrifugal_force(
             state.f, state.x, state.v, state.mass, self.nodes, self.axis, self.centre,
             before, self.square, state.dt, self.energy["external work"],
         )  # fmt: skip
 
 
 @kernel
-def pull(
+def uniform_force(
     f: Array,
     v: Array,
     mass: Array,
@@ -116,7 +106,7 @@ def pull(
     dt: float,
     work: Array,
 ) -> None:
-    """Add m `now` along `axis`; v is v_{n-1/2} of the step dt that is over."""
+    """Add m `now` along `axis`, the acceleration at t_n, and the work of the step dt before, with v_{n-1/2}."""
     momentum = 0.0
     for i in nodes:
         f[i, axis] += mass[i] * now
@@ -125,11 +115,11 @@ def pull(
 
 
 @kernel
-def fling(
+def centrifugal_force(
     f: Array, x: Array, v: Array, mass: Array, nodes: Index, axis: int, centre: Array,
     before: float, now: float, dt: float, work: Array,
 ) -> None:  # fmt: skip
-    """Add m `now` r, `now` and `before` being omega^2; the step began at x - dt v."""
+    """Add m `now` r, with `now` and `before` the omega^2 at the ends of the step dt, which began at x - dt v."""
     for j in range(3):
         if j != axis:
             for i in nodes:

@@ -1,29 +1,31 @@
-"""*LOAD_NODE_POINT and *LOAD_NODE_SET: forces and moments on nodes.
+"""*LOAD_NODE_POINT, *LOAD_NODE_SET and *LOAD_RIGID_BODY: forces and moments on nodes and on centres of rigid bodies.
 
     f_i = SF LC(t)        DOF 1, 2, 3: force along x, y, z; DOF 5, 6, 7: moment about them
 
-Every node of a set takes the whole of it. Directions are those of the global axes and do not turn with the node.
+Every node of a set has the whole load. Directions are those of the global axes and do not rotate with the node. To the
+time loop the centre of a rigid body is a node.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.load.node import LOAD_NODE_POINT, LOAD_NODE_SET
+from vmharness.deck.keywords.load.rigid_body import LOAD_RIGID_BODY
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.dof import place
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import node_set
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Index, State
+from vmharness.explicit.rigid.definitions import lead_number
 
 NAME = "nodal load"
 
-Index = NDArray[np.intp]
-
 
 def build(deck: Deck, model: Model) -> None:
-    """Add a force for each curve that loads nodes: a thousand nodes under one curve are one force."""
+    """Add a force for each *LOAD_RIGID_BODY, and one for all nodes that are loaded by the same curve."""
+    for entry in deck.all(LOAD_RIGID_BODY):
+        model.forces.append(_body_load(deck, model, entry))
     loads: dict[int, list[tuple[Entry, Index]]] = {}
     for entry in deck.all(LOAD_NODE_POINT):
         rows = np.array([model.row(entry, "nid", entry.nid)], np.intp)
@@ -38,6 +40,17 @@ def build(deck: Deck, model: Model) -> None:
         model.forces.append(NodalLoad(f"nodal loads of curve {lcid}", nodes, dofs, scale, curve))
 
 
+def _body_load(deck: Deck, model: Model, entry: Entry) -> "NodalLoad":
+    number = lead_number(deck, entry, "pid")
+    return NodalLoad(
+        name=f"load on rigid body {number}",
+        nodes=np.array([model.centre(number)], np.intp),
+        dofs=np.array([place(entry)]),
+        scale=np.array([entry.sf]),
+        curve=time_curve(deck, entry, "lcid", model.end_time),
+    )
+
+
 class NodalLoad:
     """f = SF LC(t) at pairs of node and degree of freedom (nl,), all under one curve."""
 
@@ -49,18 +62,18 @@ class NodalLoad:
     def add(self, state: State) -> None:
         """f += SF LC(t_n), and the work 1/2 SF (LC_n + LC_{n+1}) dt v_{n+1/2}."""
         before, self.now = self.now, self.curve(state.t)
-        push(
+        add_nodal_loads(
             state.f, state.moment, state.v, state.omega, self.nodes, self.dofs, self.scale,
             self.now, 0.5 * (before + self.now) * state.dt, self.energy["external work"],
         )  # fmt: skip
 
 
 @kernel
-def push(
+def add_nodal_loads(
     f: Array, moment: Array, v: Array, omega: Array, nodes: Index, dofs: Index, scale: Array,
     now: float, impulse: float, work: Array,
 ) -> None:  # fmt: skip
-    """Add `now` times `scale`; `impulse` is that of a unit load over the step that is over, with velocity v."""
+    """Add `now` times `scale`, and the work of the step before; `impulse` is that of a unit load over this step."""
     for k in range(nodes.size):
         i, j = nodes[k], dofs[k]
         if j < 3:

@@ -2,31 +2,28 @@
 
     f_i = -p int N_i n dA        p = SF LC(t - AT) from t = AT on, else 0
 
-over the bilinear face as it lies at t_n. With x = sum N_i x_i, N_i = 1/4 (1 + xi_i xi)(1 + eta_i eta), the area vector
-dx/dxi x dx/deta = G + H xi + K eta is linear, and the integral is
+over the bilinear face in its position at t_n. With x = sum N_i x_i, N_i = 1/4 (1 + xi_i xi)(1 + eta_i eta), the area
+vector dx/dxi x dx/deta = G + H xi + K eta is linear, and the integral is
 
     int N_i n dA = G + (xi_i H + eta_i K)/3
     G = A x C,  H = A x B,  K = B x C
     A = 1/4 sum xi_i x_i,  B = 1/4 sum xi_i eta_i x_i,  C = 1/4 sum eta_i x_i
 
-A triangle repeats its third node: each of the three takes a third of its area vector.
+A triangle repeats its third node: each of the three nodes has a third of its area vector.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.load.segment import CORNERS, LOAD_SEGMENT, LOAD_SEGMENT_SET
 from vmharness.deck.keywords.set.segment import SET_SEGMENT
 from vmharness.explicit.kernels.compiled import kernel
-from vmharness.explicit.kernels.vector import Vector, add, cross, scale, subtract
+from vmharness.explicit.kernels.vector import Vector, add, cross, row, scale, subtract
 from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Index, State
 
 NAME = "pressure on segments"
-
-Index = NDArray[np.intp]
 
 
 def build(deck: Deck, model: Model) -> None:
@@ -57,19 +54,21 @@ class Pressure:
     def add(self, state: State) -> None:
         """f_i += f_i(p_n, x_n), and the work 1/2 (f_n + f_{n+1}) dt v_{n+1/2}."""
         p = self.curve(state.t - self.at) if state.t >= self.at else 0.0
-        press(
+        add_pressure(
             state.f, state.x, state.v, state.dt, self.faces, self.factor, p, self.forces,
             self.energy["external work"],
         )  # fmt: skip
 
 
 @kernel
-def press(
+def add_pressure(
     f: Array, x: Array, v: Array, dt: float, faces: Index, factor: Array, p: float, forces: Array, work: Array
 ) -> None:
-    """Add the forces of all faces, and keep them for the work of the next step."""
+    """Add the forces of all faces and their work, and keep them in `forces` for the work of the next step."""
     for s in range(len(faces)):
-        shares = areas(at(x, faces[s, 0]), at(x, faces[s, 1]), at(x, faces[s, 2]), at(x, faces[s, 3]))
+        shares = nodal_areas(
+            row(x, faces[s, 0]), row(x, faces[s, 1]), row(x, faces[s, 2]), row(x, faces[s, 3])
+        )
         for i in range(4):
             node = faces[s, i]
             for j in range(3):
@@ -80,16 +79,10 @@ def press(
 
 
 @kernel
-def at(x: Array, i: int) -> Vector:
-    """Row i as a tuple."""
-    return x[i, 0], x[i, 1], x[i, 2]
+def nodal_areas(x1: Vector, x2: Vector, x3: Vector, x4: Vector) -> tuple[Vector, Vector, Vector, Vector]:
+    """The nodal area vectors int N_i n dA of the four corners.
 
-
-@kernel
-def areas(x1: Vector, x2: Vector, x3: Vector, x4: Vector) -> tuple[Vector, Vector, Vector, Vector]:
-    """int N_i n dA of the four corners.
-
-    >>> areas((0.0, 0.0, 0.0), (2.0, 0.0, 0.0), (2.0, 2.0, 0.0), (0.0, 2.0, 0.0))[0]
+    >>> nodal_areas((0.0, 0.0, 0.0), (2.0, 0.0, 0.0), (2.0, 2.0, 0.0), (0.0, 2.0, 0.0))[0]
     (0.0, 0.0, 1.0)
     """
     p, q = subtract(x3, x1), subtract(x2, x4)  # along the diagonals

@@ -7,7 +7,7 @@ from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.set.node import SET_NODE_GENERAL, SET_NODE_LIST, SET_NODE_LIST_GENERATE
 from vmharness.deck.keywords.set.part import SET_PART_LIST
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.rigid.numbers import numbers
+from vmharness.explicit.rigid.definitions import body_numbers
 
 Index = NDArray[np.intp]
 
@@ -41,7 +41,7 @@ def nodes_of_parts(deck: Deck, model: Model, pids: set[int]) -> Index:
 
 def masses_of_parts(deck: Deck, model: Model, pids: set[int]) -> Index:
     """Rows (m,) of all nodes of these parts, and of the centres of the rigid bodies among them."""
-    centres = [model.centre(number) for number in numbers(deck) if number in pids]
+    centres = [model.centre(number) for number in body_numbers(deck) if number in pids]
     return np.concatenate([nodes_of_parts(deck, model, pids), np.array(centres, np.intp)])
 
 

@@ -6,6 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Index = NDArray[np.intp]  # rows of arrays
+Flags = NDArray[np.bool_]
 
 
 @dataclass(slots=True)
@@ -28,9 +30,7 @@ class State:
     alpha: Array = field(init=False)  # (n, 3) angular acceleration
     f: Array = field(init=False)  # (n, 3) force
     moment: Array = field(init=False)  # (n, 3) moment
-    lumped: Array = field(
-        init=False
-    )  # (n,) lumped mass, nodes of rigid bodies with their shares: what contacts feel
+    lumped: Array = field(init=False)  # (n,) as `mass`, but nodes of rigid bodies have shares: for contacts
 
     def __post_init__(self) -> None:
         for name in ("a", "alpha", "f", "moment"):

@@ -5,17 +5,15 @@ from numpy.typing import NDArray
 
 from vmharness.explicit.contact.contact import Contact
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.probe import AXES, Probe, ProbeError, choose
-
-KEYS = ("contact",)
+from vmharness.explicit.probes._quantity import AXES, Probe, ProbeError, choose
 
 
-def probe(model: Model, contact: int, component: str, node: int | None = None) -> Probe:
+def of_contact(model: Model, contact: int, component: str, node: int | None = None) -> Probe:
     """A component of a contact: `z-force`, `energy`, `friction energy`, `released energy`, `area`, `nodes`.
 
-    The force is the resultant on surface A. Energy is that of the penalty and its damping; released, what springs had
-    that were let go while they were pressed; area and number are of the nodes in contact. With `node`, the force on
-    that tracked node, segments that it is a corner of not counted.
+    The force is the resultant on surface A. `energy` is that of penalty springs and their damping, `released energy`
+    that of springs that were removed while compressed; `area` and `nodes` are those of the nodes in contact. With
+    `node`, the force is that on this tracked node, without forces on it as a corner of segments.
     """
     contacts = {force.number: force for force in model.forces if isinstance(force, Contact)}
     if contact not in contacts:
@@ -43,5 +41,8 @@ def _on_node(model: Model, found: Contact, node: int, component: str) -> Probe:
 
 
 def _summed(found: Contact, places: NDArray[np.intp], axis: int) -> Probe:
-    """The sum of the forces on a node that is tracked once, or against both sides."""
+    """The sum of the forces on a node that is tracked once, or on both sides of a surface."""
     return lambda: float(found.forces[places, axis].sum())
+
+
+PROBES = {"contact": of_contact}

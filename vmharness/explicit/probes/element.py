@@ -4,13 +4,11 @@ import numpy as np
 
 from vmharness.explicit.force import Elements
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.probe import Probe, ProbeError
-
-KEYS = ("shell", "solid", "beam", "discrete")
+from vmharness.explicit.probes._quantity import Probe, ProbeError
 
 
-def probe(model: Model, component: str, point: int = 1, **element: int) -> Probe:
-    """A component of an element, `shell=7` or its like, in its own frame: `xx-stress`, `axial-force`."""
+def of_element(model: Model, component: str, point: int = 1, **element: int) -> Probe:
+    """A component of stress or force in the own frame of an element, `shell=7`: `xx-stress`, `axial-force`."""
     ((kind, eid),) = element.items()
     for force in model.forces:
         if isinstance(force, Elements) and force.kind == kind and eid in force.eid:
@@ -19,3 +17,6 @@ def probe(model: Model, component: str, point: int = 1, **element: int) -> Probe
             except ValueError as error:
                 raise ProbeError(str(error)) from None
     raise ProbeError(f"no {kind} element {eid} in the deck")
+
+
+PROBES = dict.fromkeys(("shell", "solid", "beam", "discrete"), of_element)

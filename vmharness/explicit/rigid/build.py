@@ -1,118 +1,124 @@
-"""Rigid bodies of the deck: *MAT_RIGID, *PART_INERTIA, *CONSTRAINED_NODAL_RIGID_BODY and what goes with them.
+"""Rigid bodies of the deck: *MAT_RIGID, *PART_INERTIA, *CONSTRAINED_NODAL_RIGID_BODY and the cards that go with them.
 
-Mass, centre and inertia are sums over the nodes of a body, of all mass and rotary inertia that is lumped there, also
-by deformable elements that share them; or they are what the _INERTIA cards give, and what the nodes have is left out.
-
-Velocities at t = 0, the later ruling: those of the nodes, as the rigid motion of the same momentum and angular
-momentum; those of the _INERTIA cards, zeros too; those of *INITIAL_VELOCITY_RIGID_BODY. What CMO holds is at rest.
+Mass, centre and inertia of a body are sums over its nodes, of all mass and rotary inertia that is lumped there, also by
+deformable elements that share the nodes; or they are those of the _INERTIA cards, and the mass of the nodes is left
+out. What CMO holds is at rest.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.deck import Deck
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.damping.mass import MassDamping
+from vmharness.explicit.initial.rigid_body import body_velocities
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array
-from vmharness.explicit.rigid.bearing import bear, share_given
-from vmharness.explicit.rigid.bodies import Bodies, Drive, Gather
-from vmharness.explicit.rigid.check import check_free, check_joints, check_scaling, check_whole
-from vmharness.explicit.rigid.inertia import Inertia, principal, quaternion
-from vmharness.explicit.rigid.joints import joints
-from vmharness.explicit.rigid.members import Member, inertia_of, members
-from vmharness.explicit.rigid.velocity import velocities
+from vmharness.explicit.model.state import Array, Flags, Index
+from vmharness.explicit.rigid.bodies import Bodies
+from vmharness.explicit.rigid.body import RigidBody, body_inertia, find_bodies
+from vmharness.explicit.rigid.check import (
+    check_constraints,
+    check_joints,
+    check_mass_loads,
+    check_mass_scaling,
+)
+from vmharness.explicit.rigid.constraints import BodyForces, Drive, RigidBodies
+from vmharness.explicit.rigid.inertia import Inertia, principal_axes, quaternion
+from vmharness.explicit.rigid.joint_cards import build_joints
+from vmharness.explicit.rigid.mass_shares import share_body_mass, share_lumped_mass
 
-Index = NDArray[np.intp]
-
-LISTED = 10  # bodies whose mass and inertia are facts of the run; more are only counted
+LISTED = 10  # bodies whose mass and inertia are facts of the run; of more bodies only the number is
 
 
 def build(deck: Deck, model: Model) -> None:
-    """Take the nodes of all rigid bodies over: their mass goes to the centre."""
-    found = members(deck, model)
+    """Move the mass of all rigid bodies from their nodes to their centres, and add the constraints of their motion."""
+    found = find_bodies(deck, model)
     if not found:
         return
-    check_free(model, found)
-    check_whole(model, found)
-    check_scaling(model, found)
-    centre = np.array([model.centre(member.number) for member in found], np.intp)
-    inertia = [inertia_of(model, member) for member in found]
-    velocity = velocities(deck, model, found, inertia)
+    check_constraints(model, found)
+    check_mass_loads(model, found)
+    check_mass_scaling(model, found)
+    centre = np.array([model.centre(body.number) for body in found], np.intp)
+    inertia = [body_inertia(model, body) for body in found]
+    velocity = body_velocities(deck, model, found, inertia)
     model.state.lumped = model.state.mass.copy()
-    for row, member, one, (v, omega) in zip(centre, found, inertia, velocity, strict=True):
-        _place(model, row, member, one, v, omega)
+    for row, body, one, (v, omega) in zip(centre, found, inertia, velocity, strict=True):
+        _set_centre(model, row, body, one, v, omega)
     motions = _motions(model, centre)
     for motion in motions:
-        motion.begin(model)  # it overrules
-    for row, member in zip(centre, found, strict=True):
-        _set_nodes(model, row, member.nodes)
-    bodies = _bodies(model, found, inertia, centre, motions)
-    inverse_mass = np.zeros(model.ids.size)
-    inverse_mass[centre] = 1.0 / np.array([one.mass for one in inertia])
-    movable = np.where(bodies.held[:, :3], 0.0, inverse_mass[centre][:, None])
-    body = np.repeat(np.arange(len(found)), np.diff(bodies.first))
-    bodies.joints = joints(deck, model, bodies.nodes, body, movable)
-    if bodies.joints is not None:
-        check_joints(deck, bodies, motions)
-    bear(model, bodies)
-    share_given(model, bodies, [member.has_inertia for member in found])
-    model.constraints.insert(0, Gather(bodies, inverse_mass))
-    model.constraints.append(bodies)
-    model.kinetic.others.append(bodies.kinetic)
-    _say(model, found, inertia)
+        motion.begin(model)  # its velocity overrules that of the body
+    for row, body in zip(centre, found, strict=True):
+        _set_nodes(model, row, body.nodes)
+    _add_constraints(deck, model, found, _bodies(model, found, inertia, centre), motions)
+    _add_facts(model, found, inertia)
 
 
-def _ruled(model: Model, found: list[Member]) -> NDArray[np.bool_]:
-    """All degrees of freedom of the nodes, and what CMO holds of the centres."""
-    fixed = np.zeros((model.ids.size, 6), bool)
-    for member in found:
-        fixed[member.nodes] = True
-        fixed[model.centre(member.number)] = member.held
-    return fixed
-
-
-def _bodies(
-    model: Model, found: list[Member], inertia: list[Inertia], centre: Index, motions: list[PrescribedMotion]
-) -> Bodies:
-    """The bodies as arrays, from the state at t = 0."""
-    moments, axes = zip(*(principal(one.tensor) for one in inertia), strict=True)
-    sizes = [member.nodes.size for member in found]
-    inverse = np.divide(1.0, moments, out=np.zeros((len(found), 3)), where=np.array(moments) > 0.0)
-    return Bodies(
-        numbers=np.array([member.number for member in found]),
-        centre=centre,
-        first=np.concatenate([[0], np.cumsum(sizes)]).astype(np.intp),
-        nodes=np.concatenate([member.nodes for member in found]),
-        arm=np.concatenate([
-            (model.x0[m.nodes] - one.centre) @ e for m, one, e in zip(found, inertia, axes, strict=True)
-        ]),
-        q=np.array([quaternion(e) for e in axes]),
-        principal=np.array(moments),
-        inverse=inverse,
-        L=np.array([one.tensor @ model.state.omega[row] for one, row in zip(inertia, centre, strict=True)]),
-        held=np.array([member.held for member in found]),
-        drives=[_drive(motion, centre) for motion in motions if motion.dof >= 3],
-        damping=_damping(model),
-        fixed=_ruled(model, found),
-    )  # fmt: skip
-
-
-def _place(model: Model, row: int, member: Member, inertia: Inertia, v: Array, omega: Array) -> None:
-    """Put the body's mass and velocity on the row of its centre, and leave none on its nodes."""
-    s, held = model.state, member.held
+def _set_centre(model: Model, row: int, body: RigidBody, inertia: Inertia, v: Array, omega: Array) -> None:
+    """Put mass, position and velocity of the body on the row of its centre, and leave no mass on its nodes."""
+    s, held = model.state, body.held
     v, omega = np.where(held[:3], 0.0, v), np.where(held[3:], 0.0, omega)
-    s.mass[member.nodes] = s.inertia[member.nodes] = 0.0
+    s.mass[body.nodes] = s.inertia[body.nodes] = 0.0
     s.mass[row] = inertia.mass
     s.x[row] = model.x0[row] = inertia.centre
     s.v[row], s.omega[row] = v, omega
 
 
 def _set_nodes(model: Model, centre: np.intp, nodes: Index) -> None:
-    """v_k = v_c + omega x r of the nodes."""
+    """Set v_k = v_c + omega x r of the nodes."""
     s = model.state
     s.v[nodes] = s.v[centre] + np.cross(s.omega[centre], s.x[nodes] - s.x[centre])
     s.omega[nodes] = s.omega[centre]
+
+
+def _bodies(model: Model, found: list[RigidBody], inertia: list[Inertia], centre: Index) -> Bodies:
+    """The arrays of the bodies, from the state at t = 0."""
+    moments, axes = zip(*(principal_axes(one.tensor) for one in inertia), strict=True)
+    sizes = [body.nodes.size for body in found]
+    inverse_mass = np.zeros(model.ids.size)
+    inverse_mass[centre] = 1.0 / np.array([one.mass for one in inertia])
+    return Bodies(
+        numbers=np.array([body.number for body in found]),
+        centre=centre,
+        first=np.concatenate([[0], np.cumsum(sizes)]).astype(np.intp),
+        nodes=np.concatenate([body.nodes for body in found]),
+        arm=np.concatenate([
+            (model.x0[b.nodes] - one.centre) @ e for b, one, e in zip(found, inertia, axes, strict=True)
+        ]),
+        q=np.array([quaternion(e) for e in axes]),
+        principal=np.array(moments),
+        inverse=np.divide(1.0, moments, out=np.zeros((len(found), 3)), where=np.array(moments) > 0.0),
+        L=np.array([one.tensor @ model.state.omega[row] for one, row in zip(inertia, centre, strict=True)]),
+        inverse_mass=inverse_mass,
+        given=np.array([body.held[3:] for body in found]),
+    )  # fmt: skip
+
+
+def _add_constraints(
+    deck: Deck, model: Model, found: list[RigidBody], bodies: Bodies, motions: list[PrescribedMotion]
+) -> None:
+    """Add the constraints of the bodies, with joints, driven rotations and damping."""
+    held = np.array([body.held for body in found])
+    movable = np.where(held[:, :3], 0.0, bodies.inverse_mass[bodies.centre][:, None])
+    damping = _damping_rates(model)
+    drives = [_drive(motion, bodies.centre) for motion in motions if motion.dof >= 3]
+    for drive in drives:
+        bodies.given[drive.body, drive.axis] = True
+    joints = build_joints(deck, model, bodies, movable)
+    if joints is not None:
+        check_joints(deck, damping, motions)
+    share_body_mass(model, bodies)
+    share_lumped_mass(model, bodies, [body.inertia_given for body in found])
+    model.constraints.insert(0, BodyForces(bodies, model.ids.size))
+    model.constraints.append(RigidBodies(bodies, held, _fixed(model, found), drives, damping, joints))
+    model.kinetic.others.append(bodies.kinetic)
+
+
+def _fixed(model: Model, found: list[RigidBody]) -> Flags:
+    """Degrees of freedom (n, 6) that need no mass: all of the nodes, and those of the centres that CMO holds."""
+    fixed = np.zeros((model.ids.size, 6), bool)
+    for body in found:
+        fixed[body.nodes] = True
+        fixed[model.centre(body.number)] = body.held
+    return fixed
 
 
 def _motions(model: Model, centre: Index) -> list[PrescribedMotion]:
@@ -125,18 +131,19 @@ def _drive(motion: PrescribedMotion, centre: Index) -> Drive:
     return Drive(int(np.flatnonzero(centre == motion.nodes[0])[0]), motion.axis, motion.total)
 
 
-def _damping(model: Model) -> Array | None:
-    """D S (n, 6) of mass damping, kept up to date by it."""
+def _damping_rates(model: Model) -> Array | None:
+    """D S (n, 6) of mass damping, an array that the damping updates; None without damping."""
     return next((item.rate for item in model.constraints if isinstance(item, MassDamping)), None)
 
 
-def _say(model: Model, found: list[Member], inertia: list[Inertia]) -> None:
+def _add_facts(model: Model, found: list[RigidBody], inertia: list[Inertia]) -> None:
+    """Add mass, centre and principal moments of the bodies to the facts of the run."""
     if len(found) > LISTED:
         model.facts["Rigid bodies"] = str(len(found))
         return
-    for member, one in zip(found, inertia, strict=True):
+    for body, one in zip(found, inertia, strict=True):
         centre = ", ".join(f"{value:.6g}" for value in one.centre)
         moments = ", ".join(f"{value:.6g}" for value in sorted(np.linalg.eigvalsh(one.tensor)))
-        model.facts[f"Rigid body {member.number}"] = (
+        model.facts[f"Rigid body {body.number}"] = (
             f"mass {one.mass:.6g}, centre ({centre}), principal moments {moments}"
         )

@@ -7,7 +7,7 @@ import numpy as np
 from vmharness.deck import Entry
 from vmharness.explicit.model.state import Array
 
-FLAT = 1e-12  # a principal moment below this share of the largest is that of a line of points: zero
+ROUND_OFF = 1e-12  # of the largest: a smaller principal moment is zero, as that of a line of points
 DIGITS = 1e-4  # of the largest: a field of ten columns may hold no more than five digits of a number
 
 
@@ -20,8 +20,8 @@ class Inertia:
     tensor: Array
 
 
-def of_points(x: Array, mass: Array, rotary: Array) -> Inertia:
-    """Of points `x` (m, 3) with `mass` (m,) and rotary inertia (m,), the same about every axis.
+def inertia_of_points(x: Array, mass: Array, rotary: Array) -> Inertia:
+    """Mass, centre and inertia of points `x` (m, 3) with `mass` (m,) and `rotary` inertia (m,) about every axis.
 
     I = sum m (r^2 E - r r^T) + J E,   r = x - c
     """
@@ -32,8 +32,8 @@ def of_points(x: Array, mass: Array, rotary: Array) -> Inertia:
     return Inertia(total, centre, square * np.eye(3) - (mass[:, None] * r).T @ r)
 
 
-def of_card(entry: Entry, centre: Array) -> Inertia:
-    """What the cards of *PART_INERTIA or *CONSTRAINED_NODAL_RIGID_BODY_INERTIA give, with IRCS = 1 turned to space.
+def inertia_of_card(entry: Entry, centre: Array) -> Inertia:
+    """Mass and inertia that *PART_INERTIA or *CONSTRAINED_NODAL_RIGID_BODY_INERTIA give, IRCS = 1 rotated to space.
 
     The local axes are e1 along XL, YL, ZL, e3 along e1 x (XLIP, YLIP, ZLIP), e2 = e3 x e1. Products of inertia are
     components of the tensor: IXY = -int x y dm. Raises DeckError where axes or tensor cannot be: of the principal
@@ -44,12 +44,12 @@ def of_card(entry: Entry, centre: Array) -> Inertia:
     if entry.ircs == 1:
         axes = _local_axes(entry)
         tensor = axes @ tensor @ axes.T
-    _check(entry, np.linalg.eigvalsh(tensor))
+    _check_moments(entry, np.linalg.eigvalsh(tensor))
     return Inertia(entry.tm, centre, tensor)
 
 
-def _check(entry: Entry, moments: Array) -> None:
-    """Principal moments (3,), in increasing order, are those of a body; on the border within the digits of a card."""
+def _check_moments(entry: Entry, moments: Array) -> None:
+    """Principal moments (3,), in increasing order, are possible for a body, within the digits of a card."""
     given, allowed = ", ".join(f"{moment:.6g}" for moment in moments), DIGITS * np.abs(moments).max()
     if moments[0] < -allowed:
         raise entry.error("ixx", f"no body has principal moments {given}: the first is negative")
@@ -59,12 +59,12 @@ def _check(entry: Entry, moments: Array) -> None:
         )
 
 
-def off_axis(inertia: Inertia, x: Array) -> Array:
-    """How far (m,) points `x` (m, 3) are from the line, or point, about which the body has no inertia; 0 without one.
+def lever_arms(inertia: Inertia, x: Array) -> Array:
+    """Distances (m,) of points `x` (m, 3) from the line, or point, about which the body has no inertia; 0 without one.
 
-    Forces there would turn it without resistance: its equation of motion has no solution.
+    A force at such a distance has a moment that no inertia resists: the equation of motion has no solution.
     """
-    moments, axes = principal(inertia.tensor)
+    moments, axes = principal_axes(inertia.tensor)
     r = (x - inertia.centre) @ axes
     without = moments == 0.0
     if not without.any():
@@ -82,18 +82,18 @@ def _local_axes(entry: Entry) -> Array:
     return np.column_stack([e1, np.cross(e3, e1), e3])
 
 
-def principal(tensor: Array) -> tuple[Array, Array]:
+def principal_axes(tensor: Array) -> tuple[Array, Array]:
     """Principal moments (3,) and a right-handed triad of principal axes, as columns (3, 3).
 
-    Axes of equal moments are those of space where these serve, so that a ball or a cube keeps x, y, z.
+    A tensor that is diagonal already has the axes x, y, z.
     """
     size = np.abs(tensor).max()
-    if np.abs(tensor - np.diag(np.diag(tensor))).max() <= FLAT * size:
+    if np.abs(tensor - np.diag(np.diag(tensor))).max() <= ROUND_OFF * size:
         moments, axes = np.diag(tensor).copy(), np.eye(3)
     else:
         moments, axes = np.linalg.eigh(tensor)
         axes[:, 2] = np.cross(axes[:, 0], axes[:, 1])
-    moments[moments <= FLAT * size] = 0.0
+    moments[moments <= ROUND_OFF * size] = 0.0
     return moments, axes
 
 

@@ -1,1 +1,1 @@
-"""What *CONTROL_TIMESTEP asks for beyond the elements' own steps, one request a file; the folder is the list."""
+"""The time step beyond the elements' own: its limits, and mass scaling."""

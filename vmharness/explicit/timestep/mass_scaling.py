@@ -4,34 +4,33 @@ An element whose stable step h is below |DT2MS| has its density, and with it mas
 
     phi = (|DT2MS| / h)^2        h = L/c, c ~ 1/sqrt(density)
 
-so that its step becomes |DT2MS|, and the run's TSSFAC |DT2MS|. With MS1ST = 1 this is done once, at the beginning. With
-MS1ST = 0 it is done again at any t_n that finds the step of an element below |DT2MS|. Mass that is added during the run
-is at rest and sticks to its node: the momentum stays,
+so that its step becomes |DT2MS|, and that of the run TSSFAC |DT2MS|. With MS1ST = 1 this is done once, at the
+beginning. With MS1ST = 0 it is repeated at every t_n at which the step of an element is below |DT2MS|. Mass that is
+added during the run is at rest before, and moves with its node after: the momentum of the node is conserved,
 
-    m' v' = m v        v_{n-1/2} and a_n become m/m' times what they were, and so does v_n
+    m' v' = m v        v_{n-1/2}, a_n and v_n are multiplied by m/m'
 
-rotations alike. (With the velocity kept, momentum and energy would come from nothing.) The kinetic energy that a node
-loses, 1/2 m v_n^2 (1 - m/m'), is energy "damping". What a support or a prescribed motion rules keeps its velocity; the
-motion that drags the new mass along does "external work" 1/2 (m' - m) v_n^2.
+and that of rotation in the same way. (If the velocity were kept, momentum and energy would come out of nothing.) The
+kinetic energy that a node loses, 1/2 m v_n^2 (1 - m/m'), is energy "damping". Degrees of freedom that a support or a
+prescribed motion rules keep their velocity; the motion does the "external work" 1/2 (m' - m) v_n^2 on the new mass.
 
-Springs and dampers have no mass that could be scaled: they keep their step. Bulk viscosity shortens that of solids
-further. What is added is a fact of the run. (LS-DYNA keyword manual, *CONTROL_TIMESTEP; whether its nodes keep velocity
-or momentum is not said there.)
+Springs and dampers have no mass to scale and keep their step. Bulk viscosity shortens the step of solids further. The
+added mass is a fact of the run. (LS-DYNA keyword manual, *CONTROL_TIMESTEP; it does not say whether nodes keep velocity
+or momentum.)
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.force import Elements, Scalable
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Flags, State
 
 
 def build(deck: Deck, model: Model) -> None:
-    """Raise densities, say by how much the mass of each part grew, and go on with it in the run unless MS1ST = 1."""
+    """Scale the mass of elements now, and at every t_n unless MS1ST = 1; add the added mass to the facts."""
     control = deck.first(CONTROL_TIMESTEP)
     if control is None or control.dt2ms == 0.0:
         return
@@ -60,7 +59,7 @@ def _blocks(model: Model, control: Entry) -> list[Scalable]:
     return blocks
 
 
-def _free(model: Model, control: Entry) -> NDArray[np.bool_]:
+def _free(model: Model, control: Entry) -> Flags:
     """Degrees of freedom (n, 6) that no constraint rules."""
     free = np.ones((model.ids.size, 6), bool)
     for constraint in model.constraints:
@@ -72,7 +71,7 @@ def _free(model: Model, control: Entry) -> NDArray[np.bool_]:
 
 
 class MassScaling:
-    """Raises densities so that no element has a step below `aim`; as a constraint, at every t_n of the run."""
+    """Raises densities so that no element has a step below `aim`; as a constraint it does so at every t_n."""
 
     name = "mass scaling"
 
@@ -82,10 +81,10 @@ class MassScaling:
         self.fixed = self.free = np.zeros((model.ids.size, 6), bool)
         self._added = {
             block.name: np.zeros(block.mass.size) for block in blocks
-        }  # parts of the element's own mass
+        }  # over the element's own mass
 
     def add_mass(self, block: Scalable) -> None:
-        """Bring the elements of a block that are below the aim up to it."""
+        """Raise the density of those elements of a block whose step is below the aim."""
         phi = np.maximum((self.aim / block.steps(self.model.state.x)) ** 2, 1.0)
         added = self._added[block.name]
         more = (phi - 1.0) * (1.0 + added)
@@ -101,7 +100,7 @@ class MassScaling:
         )
 
     def accelerate(self, state: State) -> None:
-        """Add mass where a step has become too small; the momentum of the nodes stays."""
+        """Add mass where a step has become too small, and conserve the momentum of the nodes."""
         short = [block for block in self.blocks if block.stable_step() < self.aim]
         if not short:
             return
@@ -109,13 +108,15 @@ class MassScaling:
         for block in short:
             self.add_mass(block)
         np.copyto(s.lumped, s.mass, where=s.mass > 0.0)  # nodes of rigid bodies keep their shares
-        self._slow(s.v, s.a, mass, s.mass, self.free[:, :3], self.model.inverse_mass)
-        self._slow(s.omega, s.alpha, inertia, s.inertia, self.free[:, 3:], self.model.inverse_inertia)
+        self._conserve_momentum(s.v, s.a, mass, s.mass, self.free[:, :3], self.model.inverse_mass)
+        self._conserve_momentum(
+            s.omega, s.alpha, inertia, s.inertia, self.free[:, 3:], self.model.inverse_inertia
+        )
 
-    def _slow(
-        self, v: Array, a: Array, before: Array, after: Array, free: NDArray[np.bool_], inverse: Array
+    def _conserve_momentum(
+        self, v: Array, a: Array, before: Array, after: Array, free: Flags, inverse: Array
     ) -> None:
-        """v and a of the heavier nodes, times m/m' where they are free; their energy goes to the accounts."""
+        """Multiply v and a of the heavier nodes by m/m' where these are free; add lost energy and external work."""
         rows = np.flatnonzero(after > before)
         m, added = before[rows, None], (after - before)[rows, None]
         ratio = np.where(free[rows], m / (m + added), 1.0)
@@ -127,4 +128,4 @@ class MassScaling:
         inverse[rows] = 1.0 / after[rows]
 
     def move(self, state: State, dt: float) -> None:
-        """Nothing to do: the velocity is that of the heavier nodes."""
+        """Nothing to do: velocities changed when mass was added."""

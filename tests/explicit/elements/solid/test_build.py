@@ -7,8 +7,7 @@ from vmharness.deck import DeckError, read, vocabulary, write_long
 from vmharness.explicit.build import build
 from vmharness.explicit.elements.solid._solids import Hexahedra
 from vmharness.explicit.loop import steps
-from vmharness.explicit.probe import ProbeError
-from vmharness.explicit.probes import probe
+from vmharness.explicit.probes import ProbeError, probe
 
 HEAD = """*KEYWORD
 *CONTROL_TERMINATION

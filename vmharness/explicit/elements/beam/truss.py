@@ -26,7 +26,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.deck import Deck
-from vmharness.explicit.damping.stiffness.law import damped, memory, uniaxial
+from vmharness.explicit.damping.damped_law import damped, memory, uniaxial
 from vmharness.explicit.elements.beam._parts import beam_parts, lengths
 from vmharness.explicit.kernels.compiled import specialise
 from vmharness.explicit.kernels.simd import LANES, Indices, by_block, by_element, put, vector

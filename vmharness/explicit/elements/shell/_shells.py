@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.damping.stiffness.law import damped, memory, plane_stress
+from vmharness.explicit.damping.damped_law import damped, memory, plane_stress
 from vmharness.explicit.elements.shell._kind import Kind, compiled_lengths, compiled_step
 from vmharness.explicit.elements.shell._rows import DENSITY_ROOT, ROWS, THICKNESS
 from vmharness.explicit.kernels.simd import LANES, Indices, by_block, by_element

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.damping.stiffness.law import damped, memory, solid
+from vmharness.explicit.damping.damped_law import damped, memory, solid
 from vmharness.explicit.elements.solid._channel import CHANNELS, COMPONENTS, stress_in_space
 from vmharness.explicit.elements.solid._gradient import measures
 from vmharness.explicit.elements.solid._rows import KEPT, MASS, MODULUS, ROWS, TURN

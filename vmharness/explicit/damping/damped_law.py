@@ -1,4 +1,4 @@
-"""Laws with stiffness damping around laws without, for each state of stress.
+"""Stiffness damping of a law, for each state of stress: a damped law computes the stress of another law and adds to it.
 
 A damped law has the signature of the law that it holds (materials/elastic.py). Its constants are those of that law and,
 last, the number of its history variables; these are followed by the law's own stress, then beta.

@@ -1,6 +1,6 @@
 """The face of a wall: corner T, normal n, edges l and m = n x l, and the lengths of both, as rows of one array (5, 3).
 
-The lengths are infinite for a wall without end.
+The lengths are infinite for an infinite wall.
 """
 
 import numpy as np
@@ -17,11 +17,11 @@ def face_of(
 ) -> Array:
     """The face (5, 3) with normal from `tail` to `head`, and edge l from `tail` toward `edge`.
 
-    What the edge has along the normal is left out. Raises ValueError where a direction vanishes.
+    Only the component of the edge across the normal counts. Raises ValueError where a direction vanishes.
     """
     normal = _unit(head - tail, "the tail and the head of the normal are one point")
-    way = edge - tail if edge is not None else np.eye(3)[np.argmin(np.abs(normal))]
-    first = _unit(way - (way @ normal) * normal, "the edge has no direction across the normal")
+    toward = edge - tail if edge is not None else np.eye(3)[np.argmin(np.abs(normal))]
+    first = _unit(toward - (toward @ normal) * normal, "the edge has no direction across the normal")
     return np.array([tail, normal, first, np.cross(normal, first), [*lengths, 0.0]])
 
 
@@ -33,16 +33,18 @@ def _unit(vector: Array, what: str) -> Array:
 
 
 @kernel
-def along(face: Array, k: int, p: Vector) -> float:
-    """(p - T) . e_k."""
+def coordinate(face: Array, k: int, p: Vector) -> float:
+    """(p - T) . e_k, with e_k in row k of the face."""
     corner, e = face[0], face[k]
     return (p[0] - corner[0]) * e[0] + (p[1] - corner[1]) * e[1] + (p[2] - corner[2]) * e[2]
 
 
 @kernel
 def covers(face: Array, p: Vector) -> bool:
-    """Whether the projection of p lies on the face; its edges belong to it."""
+    """True if the projection of p lies on the face or on its edges."""
     lengths = face[LENGTHS]
     if lengths[0] == np.inf:
         return True
-    return 0.0 <= along(face, EDGE_L, p) <= lengths[0] and 0.0 <= along(face, EDGE_M, p) <= lengths[1]
+    return (
+        0.0 <= coordinate(face, EDGE_L, p) <= lengths[0] and 0.0 <= coordinate(face, EDGE_M, p) <= lengths[1]
+    )

@@ -1,7 +1,7 @@
-"""Elements of parts with *MAT_RIGID: they have mass, and neither stress nor a step.
+"""Elements of parts with *MAT_RIGID: they have mass, but no stress, and they set no time step.
 
-Each gives its nodes equal shares of its mass, rho t A of a shell, rho V of a solid, rho A L of a beam. Mass and inertia
-of the body are sums over these nodes, as LS-DYNA makes them: a body of few elements has more inertia than its shape.
+Each gives its nodes equal shares of its mass: rho t A of a shell, rho V of a solid, rho A L of a beam. Mass and inertia
+of the body are sums over these nodes, as in LS-DYNA: a coarsely meshed body has more inertia than its shape has.
 """
 
 import numpy as np
@@ -19,7 +19,7 @@ from vmharness.explicit.model.state import Array
 
 
 def build(deck: Deck, model: Model) -> None:
-    """Lump the mass of all such elements."""
+    """Lump the mass of all elements of rigid parts at their nodes."""
     x = model.x0
     for corners, area in ((4, quadrilateral), (3, triangle)):
         for part in shell_parts(deck, model, corners):
@@ -36,7 +36,7 @@ def build(deck: Deck, model: Model) -> None:
 
 
 def _lump(model: Model, part: Part, volume: Array) -> None:
-    """rho volume (ne,) in equal shares to the corners."""
+    """Lump rho `volume` (ne,) in equal shares at the nodes of each element."""
     count = part.nodes.shape[1]
     for corner in part.nodes.T:
         model.add_mass(corner, np.asarray(part.material.ro * volume / count))

@@ -1,7 +1,4 @@
-"""Probes: what can be read off a running model, every cycle, as functions of no argument; the kinds are in probes/.
-
-A component is named by axis and quantity, as `z-displacement`.
-"""
+"""Quantities of probes: a component is named by its axis and its quantity, as `z-displacement`."""
 
 from collections.abc import Callable, Mapping
 
@@ -14,7 +11,7 @@ AXES = {"x": 0, "y": 1, "z": 2}
 
 
 class ProbeError(ValueError):
-    """A quantity was asked for that the model does not have."""
+    """The model does not have the quantity of a channel."""
 
 
 def split(component: str) -> tuple[int, str]:
@@ -30,7 +27,7 @@ def split(component: str) -> tuple[int, str]:
 
 
 def choose(probes: Mapping[str, Probe], name: str, of: str) -> Probe:
-    """The probe of that name; `of` says what has it."""
+    """The probe named `name`; raises ProbeError with the names there are `of` something."""
     try:
         return probes[name]
     except KeyError:
@@ -38,7 +35,7 @@ def choose(probes: Mapping[str, Probe], name: str, of: str) -> Probe:
 
 
 def of_point(model: Model, row: int, axis: int) -> dict[str, Probe]:
-    """By name, the motion at t_n of the point of a row, along an axis."""
+    """By name, the motion at t_n along an axis of the point in a row of the state."""
     s, place = model.state, (row, axis)
     x0 = float(model.x0[place])
     return {
@@ -50,6 +47,6 @@ def of_point(model: Model, row: int, axis: int) -> dict[str, Probe]:
 
 
 def of_resultant(total: Array, component: str, of: str) -> Probe:
-    """A component of force and moment (6,)."""
+    """The probe of a component of a force and a moment, `total` (6,)."""
     axis, quantity = split(component)
     return choose({"force": lambda: total[axis], "moment": lambda: total[3 + axis]}, quantity, of)

@@ -6,15 +6,13 @@ from vmharness.explicit.energy import ratio as ratio_of
 from vmharness.explicit.force import Elements, Force
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Array
-from vmharness.explicit.probe import Probe, choose
-
-KEYS = ("energy",)
+from vmharness.explicit.probes._quantity import Probe, choose
 
 
-def probe(model: Model, energy: str, part: int | None = None) -> Probe:
-    """An energy of the whole model: kinetic, total, ratio, or any that a force or constraint accounts for.
+def of_energy(model: Model, energy: str, part: int | None = None) -> Probe:
+    """An energy of the whole model: kinetic, total, ratio, or any for which forces or constraints have an account.
 
-    With `part`, what the elements of that part account for: internal, hourglass, ...
+    With `part`, the energies of its elements alone: internal, hourglass, ...
     """
     items: list[Force | Constraint] = [*model.forces, *model.constraints]
     if part is not None:
@@ -45,5 +43,8 @@ def _whole(model: Model, work: Probe, others: list[Array]) -> dict[str, Probe]:
 
 
 def _sum(accounts: list[Array]) -> Probe:
-    """The sum of accounts (1,); most energies have one, which is then read without a detour."""
+    """The sum of accounts (1,); a single account is read directly, which is faster."""
     return accounts[0].item if len(accounts) == 1 else lambda: sum([account.item() for account in accounts])
+
+
+PROBES = {"energy": of_energy}

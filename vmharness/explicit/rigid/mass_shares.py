@@ -1,39 +1,39 @@
-"""The mass that a rigid body opposes to springs and dampers at its nodes, for their stable step.
+"""The mass of a rigid body, shared among its nodes: what springs, dampers and contacts at the nodes feel.
 
-Masses m_k at the nodes are safe if no rigid motion has more kinetic energy with them than the body has,
+Masses m_k at the nodes are safe for the stable step if no rigid motion has more kinetic energy with them than with the
+mass M and the inertia I of the body,
 
     sum m_k |v + omega x r_k|^2 <= M v^2 + omega . I omega
 
-for then the body only adds inertia to a model that is stable with these masses alone. They are shares of weights w_k,
-m_k = w_k / lambda, with lambda the largest eigenvalue of the form of the weights against that of the body. For one node
-this is its effective mass. Torsional springs take moments of inertia likewise; a body with both halves itself.
+for then the body only adds inertia to a model that is stable with these masses. They are proportional to weights w_k,
+m_k = w_k / lambda, with lambda the largest eigenvalue of the quadratic form of the weights relative to that of the
+body. For one node m_k is its effective mass. Moments of inertia are shared likewise among torsional springs; a body
+with springs of both kinds gives each kind half of its inertia.
 
-Contacts feel the mass that elements have lumped on the nodes of a body, which is safe as it is. Where mass and inertia
-of the body are given, or a contact has nodes of it without mass, they feel shares: by the lumped mass as weight, and of
-nodes without any by the mean of the others. A node of a body is never held, as one without mass is otherwise: the body
-may be lighter than what it touches.
+Contacts feel the mass that elements have lumped at the nodes of a body, which is safe. Where mass and inertia of a body
+are given by cards, or a contact has nodes of it without mass, contacts feel shares with the lumped mass as weights, and
+the mean of these as the weight of nodes without mass. A node of a body never counts as held, as other nodes without
+mass do: the body may be lighter than what it touches.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.explicit.contact.contact import Contact
 from vmharness.explicit.elements.discrete.part import Discrete
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.state import Array, Flags
 from vmharness.explicit.rigid.bodies import Bodies
 
 
-def bear(model: Model, bodies: Bodies) -> None:
-    """Tell springs and dampers of the model which mass bodies have at their nodes."""
+def share_body_mass(model: Model, bodies: Bodies) -> None:
+    """Set the mass, or rotary inertia, that bodies have at the nodes of springs and dampers."""
     discrete = [force for force in model.forces if isinstance(force, Discrete)]
     if not discrete:
         return
     weights = {force.about: _weights(force.demand)[bodies.nodes] for force in discrete}
     s = model.state
     found = {False: s.mass.copy(), True: s.inertia.copy()}
-    for b in range(bodies.centre.size):
-        own = slice(bodies.first[b], bodies.first[b + 1])
+    for b, own in enumerate(bodies.slices()):
         kinds = [about for about, weight in weights.items() if weight[own].any()]
         for about in kinds:
             weight = weights[about][own]
@@ -47,33 +47,32 @@ def bear(model: Model, bodies: Bodies) -> None:
         force.bearing = found[force.about]
 
 
-def share_given(model: Model, bodies: Bodies, given: list[bool]) -> None:
-    """Put the shares of bodies on their nodes, as the lumped mass that contacts feel.
+def share_lumped_mass(model: Model, bodies: Bodies, inertia_given: list[bool]) -> None:
+    """Set the lumped mass that contacts feel at the nodes of bodies whose own lumped mass will not do.
 
-    Of bodies whose inertia is `given`, and of those with nodes without mass in a contact.
+    These are bodies whose inertia is given by cards, and bodies with nodes without mass in a contact.
     """
-    lumped, felt = model.state.lumped, _felt(model)
-    for b in range(bodies.centre.size):
-        own = slice(bodies.first[b], bodies.first[b + 1])
+    lumped, touched = model.state.lumped, _nodes_of_contacts(model)
+    for b, own in enumerate(bodies.slices()):
         nodes, mass = bodies.nodes[own], model.state.mass[bodies.centre[b]]
-        bare = felt[nodes] & (lumped[nodes] == 0.0)
-        if bare.any() or (given[b] and felt[nodes].any()):
+        bare = touched[nodes] & (lumped[nodes] == 0.0)
+        if bare.any() or (inertia_given[b] and touched[nodes].any()):
             weight = lumped[nodes]
             weight[bare] = weight[weight > 0.0].mean() if weight.any() else 1.0
             lumped[nodes] = weight / largest_ratio(mass, bodies.inverse[b], bodies.arm[own], weight)
 
 
-def _felt(model: Model) -> NDArray[np.bool_]:
+def _nodes_of_contacts(model: Model) -> Flags:
     """Which nodes (n,) a contact has."""
-    felt = np.zeros(model.ids.size, bool)
+    found = np.zeros(model.ids.size, bool)
     for force in model.forces:
         if isinstance(force, Contact):
-            felt[force.tracked] = felt[force.segments] = True
-    return felt
+            found[force.tracked] = found[force.segments] = True
+    return found
 
 
 def largest_ratio(mass: float, inverse: Array, arm: Array, weight: Array) -> float:
-    """The largest sum w |v + omega x r|^2 over M v^2 + omega . I omega; `arm` (m, 3) in principal axes.
+    """The largest value of sum w |v + omega x r|^2 / (M v^2 + omega . I omega); `arm` (m, 3) in principal axes.
 
     `inverse` (3,): 1/I_i, zero about an axis that the body cannot turn about.
 
@@ -89,6 +88,6 @@ def largest_ratio(mass: float, inverse: Array, arm: Array, weight: Array) -> flo
 
 
 def _weights(demand: Array) -> Array:
-    """Stiffness and damping (2, n) that nodes are asked for, each as shares of its sum: weights (n,)."""
+    """Weights (n,) of the nodes: the shares that each has of the sum of stiffness and of damping, `demand` (2, n)."""
     total = demand.sum(axis=1, keepdims=True)
     return np.asarray((demand / np.where(total > 0.0, total, 1.0)).sum(axis=0))

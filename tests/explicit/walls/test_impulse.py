@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vmharness.explicit.walls.planar.face import covers, face_of
-from vmharness.explicit.walls.planar.law import common
+from vmharness.explicit.walls.face import covers, face_of
+from vmharness.explicit.walls.impulse import common_velocity
 
 speeds = st.floats(-100.0, 100.0)
 masses = st.floats(1e-3, 1e3)
@@ -15,7 +15,7 @@ masses = st.floats(1e-3, 1e3)
 @given(st.lists(st.tuples(speeds, masses), min_size=1, max_size=8), speeds, masses)
 def test_the_common_velocity_balances_momentum(nodes, w, mass):
     trial, m = map(np.array, zip(*nodes, strict=True))
-    root = common(w, 1.0 / mass, trial, m, np.arange(m.size))
+    root = common_velocity(w, 1.0 / mass, trial, m, np.arange(m.size))
     gained = m @ np.maximum(0.0, root - trial)
     assert root <= w
     assert mass * (w - root) == pytest.approx(gained, rel=1e-9, abs=1e-9 * (mass + m.sum()))
@@ -24,7 +24,7 @@ def test_the_common_velocity_balances_momentum(nodes, w, mass):
 @given(st.lists(st.tuples(speeds, masses), min_size=1, max_size=8), speeds)
 def test_a_wall_that_stands_does_not_yield(nodes, w):
     trial, m = map(np.array, zip(*nodes, strict=True))
-    assert common(w, 0.0, trial, m, np.arange(m.size)) == w
+    assert common_velocity(w, 0.0, trial, m, np.arange(m.size)) == w
 
 
 def test_a_face_is_orthonormal_and_its_edges_belong_to_it():
