@@ -8,7 +8,7 @@ from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.deck.keywords.node import NODE
 from vmharness.explicit.constraints import prescribed_motion, prescribed_motion_rigid, spc
-from vmharness.explicit.contact import control_contact
+from vmharness.explicit.contact import build as contacts
 from vmharness.explicit.damping import mass as mass_damping
 from vmharness.explicit.damping import stiffness as stiffness_damping
 from vmharness.explicit.initial import velocity, velocity_generation
@@ -28,7 +28,7 @@ def build(deck: Deck) -> Model:
     _add_all("elements", deck, model)  # first: they make the mass and the stiffness that all others ask for
     rigid_elements.build(deck, model)  # mass alone, of parts that are rigid
     _add_all("contact.kinds", deck, model)  # before velocities: nodes that begin behind a surface are moved
-    control_contact.build(deck, model)  # says what of *CONTROL_CONTACT acts on none of these contacts
+    contacts.report_control(deck, model)  # says what of *CONTROL_CONTACT acts on none of these contacts
     _add_all("loads", deck, model)
     velocity.build(deck, model)
     velocity_generation.build(deck, model)  # overrules *INITIAL_VELOCITY where both are allowed

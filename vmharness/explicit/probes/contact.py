@@ -29,7 +29,7 @@ def probe(model: Model, contact: int, component: str, node: int | None = None) -
         "friction energy": found.energy["friction"].item,
         "released energy": found.energy["released"].item,
         "area": found.area,
-        "nodes": found.touching,
+        "nodes": found.nodes_in_contact,
     }
     return choose(probes, component, "of a contact")
 
