@@ -12,6 +12,7 @@ from vmharness.explicit.contact.geometry import (
     corners,
     interpolate,
     normal,
+    polynomial,
     shape,
     start,
 )
@@ -52,7 +53,9 @@ def newton(
 @inlined
 def project(triangle: bool, c: Corners, p: Vector, xi: float, eta: float) -> tuple[float, float]:
     """(xi, eta) of the projection of p by Newton's method from a first guess; it may lie outside the segment."""
-    a, b, w, d = start(triangle, c, p, xi, eta)
+    o, a, b, w = polynomial(triangle, c)
+    a, b = add(a, scale(eta, w)), add(b, scale(xi, w))
+    d = subtract(subtract(p, o), add(scale(xi, a), scale(eta, subtract(b, scale(xi, w)))))  # p - r
     for _ in range(ITERATIONS):
         xi, eta, a, b, d, left = newton(xi, eta, a, b, w, d)
         if left <= CONVERGED:

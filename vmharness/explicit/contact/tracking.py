@@ -17,7 +17,7 @@ from vmharness.explicit.contact.geometry import at, beyond, centre, corners, tan
 from vmharness.explicit.contact.neighbours import nearest_neighbour
 from vmharness.explicit.contact.projection import half_thickness, height_over, is_inside, project_node
 from vmharness.explicit.contact.records import Index, Record, Records, write
-from vmharness.explicit.kernels.vector import dot, inlined, scale
+from vmharness.explicit.kernels.vector import Vector, dot, inlined, scale
 from vmharness.explicit.model.state import Array
 
 MAX_CROSSINGS = 4  # borders crossed in one step
@@ -60,11 +60,10 @@ def track(
         n = scale(-1.0 / distance, away)  # behind a valley
         height = -distance
     else:
-        if out > 0.0:  # on the segment continued beyond its border
-            xi, eta, height, n = height_over(segment["triangle"], corners(x, segment["nodes"]), p, xi, eta)
-            if beyond(segment["triangle"], xi, eta) > maxpar - 1.0:
+        if out > 0.0:
+            xi, eta, out, height, n = project_on_continuation(x, segment, p, xi, eta, side)
+            if out > maxpar - 1.0:
                 return False
-            height = side * height
         n = scale(side, n)
     gap = height - half_thickness(node, segment)
     if -gap > segment["release"]:
@@ -81,3 +80,13 @@ def tangent_square(x: Array, segment: Record, xi: float, eta: float) -> float:
     """The lesser of r,xi . r,xi and r,eta . r,eta."""
     a, b = tangents(segment["triangle"], corners(x, segment["nodes"]), xi, eta)
     return min(dot(a, a), dot(b, b))
+
+
+@inlined
+def project_on_continuation(
+    x: Array, segment: Record, p: Vector, xi: float, eta: float, side: float
+) -> tuple[float, float, float, float, Vector]:
+    """xi, eta on the segment continued beyond its border; how far beyond; height on `side`; the normal."""
+    c, triangle = corners(x, segment["nodes"]), segment["triangle"]
+    xi, eta, height, n = height_over(triangle, c, p, xi, eta)
+    return xi, eta, beyond(triangle, xi, eta), side * height, n
