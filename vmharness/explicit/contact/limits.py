@@ -1,8 +1,8 @@
 """Limits that contacts have reached, said after a run.
 
 A node deeper than the depth of release (PENMAX, PENCHK) is released. A node has at most MAX_CONTACTS active contacts:
-no other begins. A contact crosses at most MAX_CROSSINGS borders of segments in one step: tracking stops there, and goes
-on in the next step.
+no other begins. A contact crosses at most MAX_CROSSINGS borders of segments in one step: tracking stops there, and
+where the node is still farther, the contact ends.
 """
 
 import numpy as np
@@ -54,7 +54,10 @@ def _full(ids: Ids, cycles: Ids) -> str:
 
 def _slides(times: int) -> str:
     """Contacts that crossed so many borders that tracking stopped."""
-    return f"{MAX_CROSSINGS} segment borders were crossed in one step {_count(times, 'time')}"
+    count = _count(times, "time")
+    return (
+        f"{MAX_CROSSINGS} segment borders were crossed in one step {count}; such a contact can end too early"
+    )
 
 
 def _count(n: int, noun: str) -> str:
