@@ -79,17 +79,17 @@ def cost(side: int) -> Cost:
     (contact,) = (force for force in models[1].forces if isinstance(force, Contact))
     for cycle in cycles:
         next(cycle)  # compiles
-    rule, without, held = contact.passes[0].rule, [], []
+    parameters, without, held = contact.passes[0].parameters, [], []
     for count in range(1, CYCLES + 1):
         bare, full = (milliseconds(cycle) for cycle in cycles)
         without.append(bare)
-        if rule["travel"] == 0.0:
+        if parameters["travel"] == 0.0:
             sort = full
-        elif contact.touching() > TOUCHING * (side + 1) ** 2:
+        elif contact.nodes_in_contact() > TOUCHING * (side + 1) ** 2:
             held.append(full)
         if count == CYCLES // 2:
-            serves = count * float(rule["margin"][0] / rule["travel"][0])  # cycles between sorts
-            rule["margin"] = -1.0  # so that the next one sorts
+            serves = count * float(parameters["margin"][0] / parameters["travel"][0])  # cycles between sorts
+            parameters["margin"] = -1.0  # so that the next one sorts
     plain, with_contact = median(without), median(held)
     return Cost(with_contact - plain, (sort - with_contact) / serves, plain / 2)
 

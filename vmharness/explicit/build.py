@@ -12,7 +12,7 @@ from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.deck.keywords.node import NODE
 from vmharness.explicit.constraints import prescribed_motion, prescribed_motion_rigid, spc
-from vmharness.explicit.contact import control_contact
+from vmharness.explicit.contact import build as contacts
 from vmharness.explicit.damping import mass as mass_damping
 from vmharness.explicit.damping import stiffness as stiffness_damping
 from vmharness.explicit.initial import velocity
@@ -32,7 +32,7 @@ def build(deck: Deck) -> Model:
     _add_all("elements", deck, model)  # first: all others read their mass, stiffness and steps
     element_mass.build(deck, model)  # with the elements: it completes the mass that rigid bodies sum up
     _add_all("contact.kinds", deck, model)  # before velocities, walls and bodies: IGNORE moves nodes
-    control_contact.build(deck, model)  # after the contacts: its fact is listed behind theirs
+    contacts.report_control(deck, model)  # after the contacts: its fact is listed behind theirs
     _add_all("loads", deck, model)  # before rigid bodies, which check that a load acts on a whole body
     velocity.build(deck, model)  # before motions and supports: these overrule initial velocities
     prescribed_motion.build(deck, model)  # before those of rigid bodies, whose numbers continue these

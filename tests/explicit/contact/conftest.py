@@ -3,7 +3,7 @@
 import pytest
 
 from vmharness.explicit.build import build
-from vmharness.explicit.contact.control import control_of
+from vmharness.explicit.contact.cards import control_of
 from vmharness.explicit.contact.sides import Sides
 from vmharness.explicit.contact.surface.facets import all_facets
 

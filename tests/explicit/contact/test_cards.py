@@ -4,9 +4,7 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError
-from vmharness.explicit.contact.control import control_of
-from vmharness.explicit.contact.number import number_of
-from vmharness.explicit.contact.options import options_of
+from vmharness.explicit.contact.cards import control_of, number_of, options_of
 
 NAMES = [
     "NODES_TO_SURFACE",

@@ -9,7 +9,7 @@ from vmharness.backends.builtin.view import view_of
 from vmharness.deck import DeckError
 from vmharness.explicit.build import build
 from vmharness.explicit.contact.contact import Contact
-from vmharness.explicit.contact.released import released
+from vmharness.explicit.contact.limits import limits_reached
 from vmharness.explicit.loop import steps
 from vmharness.explicit.probes import ProbeError, probe
 
@@ -164,15 +164,15 @@ def test_a_node_that_goes_too_deep_for_an_automatic_contact_is_reported(wall_and
     model = wall_and(ball + cards, end=1.0 / speed)
     z = probe(model, node=15, component="z-coordinate")
     ratio, stored = probe(model, energy="ratio"), probe(model, contact=1, component="energy")
-    assert released(model) == {}
-    held, ratios = zip(*((contact_of(model).touching(), ratio()) for _ in steps(model)), strict=True)
+    assert limits_reached(model) == {}
+    held, ratios = zip(*((contact_of(model).nodes_in_contact(), ratio()) for _ in steps(model)), strict=True)
     assert any(held) == (speed < 100.0)
     np.testing.assert_allclose(ratios, 1.0, rtol=1e-6)
     assert stored() == pytest.approx(0.0, abs=1e-6)  # at 0.5 each side has had 1e-4
     lost = probe(model, contact=1, component="released energy")
     assert lost() == probe(model, energy="released")()
     assert z() < -0.4
-    assert released(model) == {
+    assert limits_reached(model) == {
         "Let through by contact 1": "one node, first of them 15: deeper than PENMAX or PENCHK allows"
     }
 

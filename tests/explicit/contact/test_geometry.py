@@ -5,16 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from vmharness.explicit.contact.geometry import (
-    beyond,
-    border,
-    closest,
-    interpolate,
-    normal,
-    project,
-    shape,
-    tangents,
-)
+from vmharness.explicit.contact.geometry import beyond, interpolate, normal, shape, tangents
+from vmharness.explicit.contact.projection import border, closest, project
 
 WARPED = ((0.0, 0.0, 0.1), (2.0, 0.1, -0.1), (2.2, 1.8, 0.15), (-0.1, 2.0, -0.2))
 TRIANGLE = ((0.0, 0.0, 0.1), (2.0, 0.1, -0.1), (0.3, 1.8, 0.15), (0.3, 1.8, 0.15))

@@ -14,7 +14,7 @@ from vmharness.case import Case, CaseError
 from vmharness.case.format import Channel
 from vmharness.deck import Deck, DeckError, read, vocabulary, write_long
 from vmharness.explicit.build import build
-from vmharness.explicit.contact.released import released
+from vmharness.explicit.contact.limits import limits_reached
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model.model import Model
@@ -106,4 +106,4 @@ def _facts(model: Model, history: History) -> dict[str, str]:
     facts = {"Nodes": str(model.node_count), "Cycles": str(model.state.cycle)}
     if steps_taken.size:
         facts["Time step"] = f"{steps_taken.min():.6g} to {steps_taken.max():.6g}, {model.controlling()}"
-    return facts | model.facts | released(model)
+    return facts | model.facts | limits_reached(model)

@@ -70,10 +70,10 @@ def _probes(deck: "Deck", model: "Model") -> "dict[str, Probe]":
 
 
 def _say(deck: "Deck", model: "Model", history: "History", seconds: float) -> None:
-    from vmharness.explicit.contact.released import released
+    from vmharness.explicit.contact.limits import limits_reached
 
     say(f"{deck.path.name}: {deck.title}")
-    facts = model.facts | released(model)
+    facts = model.facts | limits_reached(model)
     for sentence in (*deck.notes, *(f"{name}: {fact}" for name, fact in facts.items())):
         say(f"  {sentence}")
     say(f"  {model.ids.size} nodes, {model.state.cycle} cycles to t = {model.state.t:.6g} in {seconds:.2f} s")

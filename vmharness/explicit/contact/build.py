@@ -1,45 +1,56 @@
-"""A *CONTACT_... card -> its force in the model."""
+"""Build the contacts of a keyword: each entry *CONTACT_... -> its force in the model."""
+
+from dataclasses import dataclass
 
 import numpy as np
 
 from vmharness.deck import Deck, Keyword
+from vmharness.deck.keywords.control.contact import CONTROL_CONTACT
+from vmharness.explicit.contact.cards import (
+    contacts_of,
+    control_of,
+    keeps_penetrations,
+    number_of,
+    options_of,
+)
 from vmharness.explicit.contact.contact import Contact
-from vmharness.explicit.contact.control import control_of
-from vmharness.explicit.contact.initial import treat
-from vmharness.explicit.contact.number import number_of
-from vmharness.explicit.contact.options import keeps_penetrations, options_of
-from vmharness.explicit.contact.segments import Segments
+from vmharness.explicit.contact.initial_penetration import treat_initial_penetrations
+from vmharness.explicit.contact.records import Segments, Tracked
 from vmharness.explicit.contact.sides import Sides
 from vmharness.explicit.contact.surface.facets import all_facets
-from vmharness.explicit.contact.tracked import Tracked
-from vmharness.explicit.contact.without_effect import of_contact
+from vmharness.explicit.contact.without_effect import of_contact, of_control
 from vmharness.explicit.model.model import Model
 
 
-def add_contacts(
-    deck: Deck, model: Model, keyword: Keyword, two_way: bool = False, single: bool = False
-) -> None:
-    """Add a force for each such contact of the deck: A against B, in a two-way contact B against A too.
+@dataclass(frozen=True)
+class Kind:
+    """Properties of a contact keyword."""
 
-    In a single-surface contact A is tracked against itself. What is AUTOMATIC by name has thickness and two sides.
-    """
-    entries = deck.all(keyword)
+    keyword: Keyword
+    automatic: bool = False  # thickness counts, and contact with shells is on both sides
+    two_way: bool = False  # nodes of B are tracked against segments of A too
+    single_surface: bool = False  # surface A is tracked against itself
+
+
+def add_contacts(deck: Deck, model: Model, kind: Kind) -> None:
+    """Add a force for each contact of this kind in the deck."""
+    entries = deck.all(kind.keyword)
     if not entries:
         return
     every, control = all_facets(deck, model), control_of(deck)
     rigid = np.unique(every.nodes[every.rigid])
     for entry in entries:
-        automatic = "AUTOMATIC" in keyword.name
-        passes = passes_of(Sides(deck, model, entry, control, every, automatic, single), two_way)
+        sides = Sides(deck, model, entry, control, every, kind.automatic, kind.single_surface)
+        passes = passes_of(sides, kind.two_way)
         contact = Contact(number_of(deck, entry), passes, options_of(entry, control))
-        tracked = [tracked for tracked, _ in passes]
-        treat(contact, tracked, model, entry, keeps_penetrations(entry, control), automatic, rigid)
-        model.facts |= of_contact(deck, entry, control, two_way)
+        tracked, kept = [tracked for tracked, _ in passes], keeps_penetrations(entry, control)
+        treat_initial_penetrations(contact, tracked, model, entry, kept, kind.automatic, rigid)
+        model.facts |= of_contact(deck, entry, control, kind.two_way)
         model.forces.append(contact)
 
 
 def passes_of(sides: Sides, two_way: bool) -> list[tuple[Tracked, Segments]]:
-    """Which nodes are held against which segments."""
+    """Which nodes are tracked against which segments."""
     if sides.single:
         facets = sides.facets("a")
         nodes = np.unique(facets.nodes)
@@ -50,3 +61,10 @@ def passes_of(sides: Sides, two_way: bool) -> list[tuple[Tracked, Segments]]:
         back = np.unique(facets.nodes)
         passes.append((sides.tracked("b", back), sides.segments("a", sides.facets("a"), back)))
     return passes
+
+
+def report_control(deck: Deck, model: Model) -> None:
+    """Add to the facts what of *CONTROL_CONTACT acts on no contact of the deck."""
+    control = deck.first(CONTROL_CONTACT)
+    if control:
+        model.facts |= of_control(control, contacts_of(deck))

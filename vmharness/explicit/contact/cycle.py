@@ -1,130 +1,144 @@
-"""One cycle of a pass of nodes against segments.
+"""One cycle of a pass of tracked nodes against segments: energy, tracking, detection, force.
 
-What a node can touch is found by sorting (`bucket`), with a margin, and stays all that it can touch until nodes and
-segments have moved against each other by that margin. Their motion is bounded by the ranges of their velocities, summed
-over the steps; with it, each node keeps the distance to the nearest segment that it does not touch, and is not looked
-at before that can have been used up.
+The candidate segments of each node are found by a bucket sort (search.py) with a margin, and suffice until nodes and
+segments have moved relative to each other by that margin. The ranges of their velocities bound this motion; it is
+summed over the steps. With it, each node keeps its clearance to the nearest inactive segment, and needs no detection
+before the motion can have used that up.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-from vmharness.explicit.contact.detection import look
-from vmharness.explicit.contact.energy import half_work, let_go
-from vmharness.explicit.contact.force import push
+from vmharness.explicit.contact.detection import detect
+from vmharness.explicit.contact.energy import account_release, add_half_work
+from vmharness.explicit.contact.force import add_contact_force
 from vmharness.explicit.contact.geometry import at
-from vmharness.explicit.contact.records import Record, Records
-from vmharness.explicit.contact.sliding import slide
-from vmharness.explicit.contact.tracking import follow
+from vmharness.explicit.contact.records import FORCE, Index, Record, Records
+from vmharness.explicit.contact.tracking import track
+from vmharness.explicit.contact.tracking_simd import track_settled
 from vmharness.explicit.kernels.compiled import uncounted
 from vmharness.explicit.kernels.vector import Vector, dot, inlined, subtract
 from vmharness.explicit.model.state import Array
 
-Index = NDArray[np.intp]
-
-REACH = 1.01  # so that a node which begins to fall from the surface itself is not missed by round-off
+REACH = 1.01  # so that round-off does not hide a node that begins to move from the surface itself
 
 
 @uncounted
 def cycle(
-    f: Array, x: Array, v: Array, a: Array, mass: Array, dt: float, nodes: Records, segments: Records,
-    touches: Records, first: Index, beside: Index, near_first: Index, near: Index, rows: Index,
-    rules: Records, account: Array, work: Array, lanes: Index, sorted_now: bool,
+    # model
+    mass: Array, segments: Records, first: Index, neighbours: Index, rows: Index,
+    # candidates
+    candidate_first: Index, candidates: Index, sorted_now: bool,
+    # motion
+    x: Array, v: Array, a: Array, dt: float,
+    # updated
+    f: Array, nodes: Records, states: Records, parameters_one: Records, account: Array,
+    # buffers of `track_settled`
+    work: Array, lanes: Index,
 ) -> bool:  # fmt: skip
-    """Add contact forces at t_n, and the work of the step; False, and nothing done, where a sort must come first.
+    """Add contact forces at t_n and the work of the step; return False, with nothing done, where a sort is due.
 
-    `account` receives the energies "contact" and "friction", the sum of forces on the nodes, and the energy
-    "released"; `work`, `lanes`: buffers of `slide`.
+    `account` receives the energies "contact", "friction" and "released", and the sum of forces on the tracked nodes.
     """
-    rule = rules[0]
-    step = REACH * dt * fastest(v, nodes, rows)
-    travel = 0.0 if sorted_now else rule["travel"] + step
-    if travel > rule["margin"]:
+    parameters = parameters_one[0]
+    step = REACH * dt * relative_speed_bound(v, nodes, rows)
+    travel = 0.0 if sorted_now else parameters["travel"] + step
+    if travel > parameters["margin"]:
         return False
-    rule["travel"], rule["longest"] = travel, max(rule["longest"], dt)
-    account[2:5] = 0.0
+    parameters["travel"], parameters["longest_step"] = travel, max(parameters["longest_step"], dt)
+    for j in range(3):
+        account[FORCE + j] = 0.0
     # Several loops, since the work on several nodes overlaps in the processor only where a loop is short.
     for t in range(nodes.size):
         for k in range(nodes[t]["count"]):
-            half_work(x, v, dt, nodes[t], segments, touches[k, t], rule, account)
-    slide(x, nodes, segments, touches, work, lanes)
+            add_half_work(segments, parameters, x, v, dt, nodes[t], states[k, t], account)
+    track_settled(segments, x, nodes, states, work, lanes)
     for t in range(nodes.size):
         node = nodes[t]
-        if (node["settled"] or node["count"] == 0) and node["clear"] > travel and not sorted_now:
+        if (node["settled"] or node["count"] == 0) and node["clearance"] > travel and not sorted_now:
             continue
-        own = touches[:, t]
-        if keep_up(x, v, dt, node, own, segments, first, beside, rule["maxpar"], account) or sorted_now:
-            node["clear"] = 0.0
-        if node["clear"] <= travel:
-            candidates = near[near_first[t] : near_first[t + 1]]
-            node["clear"] = travel + look(
-                x, v, mass, dt, step, node, own, segments, first, beside, candidates, rule, account,
-            )  # fmt: skip
+        own, maxpar = states[:, t], parameters["maxpar"]
+        if track_all(segments, first, neighbours, maxpar, x, v, dt, node, own, account) or sorted_now:
+            node["clearance"] = 0.0
+        if node["clearance"] <= travel:
+            near = candidates[candidate_first[t] : candidate_first[t + 1]]
+            node["clearance"] = travel + detect(
+                mass, segments, first, neighbours, near, parameters, x, v, dt, step, node, own, account
+            )
     for t in range(nodes.size):
         for k in range(nodes[t]["count"]):
-            push(f, x, v, a, mass, dt, nodes[t], segments, touches[k, t], rule, account)
-    rule["start"] = False
+            add_contact_force(mass, segments, parameters, x, v, a, dt, f, nodes[t], states[k, t], account)
+    parameters["first_cycle"] = False
     return True
 
 
 @inlined
-def keep_up(
-    x: Array, v: Array, dt: float, node: Record, touches: Records, segments: Records, first: Index, beside: Index,
-    maxpar: float, account: Array,
+def track_all(
+    # model
+    segments: Records, first: Index, neighbours: Index, maxpar: float,
+    # motion
+    x: Array, v: Array, dt: float,
+    # updated
+    node: Record, states: Records, account: Array,
 ) -> bool:  # fmt: skip
-    """Follow all touches of a node; True where one has moved to another segment or let go."""
+    """Track all contacts of a node; return True where one has moved to another segment or ended."""
     changed, k = False, 0
     while k < node["count"]:
-        segment = touches[k]["segment"]
-        if follow(x, node, touches, k, segments, first, beside, maxpar):
-            changed = changed or touches[k]["segment"] != segment
+        segment = states[k]["segment"]
+        if track(segments, first, neighbours, maxpar, x, node, states, k):
+            changed = changed or states[k]["segment"] != segment
             k += 1
         else:
             changed = True
-            let_go(x, v, dt, node, segments, touches[k], account)
+            account_release(segments, v, dt, node, states[k], account)
             node["count"] -= 1
             for later in range(k, node["count"]):
-                touches[later] = touches[later + 1]
+                states[later] = states[later + 1]
     return changed
 
 
 @uncounted
-def rest(
-    x: Array, v: Array, dt: float, nodes: Records, segments: Records, touches: Records, rules: Records, account: Array
+def deactivate(
+    # model
+    segments: Records, parameters: Records,
+    # motion
+    x: Array, v: Array, dt: float,
+    # updated
+    nodes: Records, states: Records, account: Array,
 ) -> None:  # fmt: skip
-    """Let all nodes go at t_n, as a contact does that ends, and add the work of the step that led to it."""
-    account[2:5] = 0.0
+    """End all contacts at t_n, as at the death of the contact, and add the work of the step."""
+    for j in range(3):
+        account[FORCE + j] = 0.0
     for t in range(nodes.size):
         node = nodes[t]
         for k in range(node["count"]):
-            half_work(x, v, dt, node, segments, touches[k, t], rules[0], account)
-            let_go(x, v, dt, node, segments, touches[k, t], account)
+            add_half_work(segments, parameters[0], x, v, dt, node, states[k, t], account)
+            account_release(segments, v, dt, node, states[k, t], account)
         node["count"] = 0
         node["force"][0] = node["force"][1] = node["force"][2] = 0.0
 
 
 @uncounted
-def fastest(v: Array, nodes: Records, rows: Index) -> float:
-    """A bound of the relative velocity of any of the nodes and any of the `rows` of segments."""
+def relative_speed_bound(v: Array, nodes: Records, rows: Index) -> float:
+    """An upper bound of the relative speed of any of the nodes and any of the `rows` of segments."""
     low = high = at(v, rows[0])
     for r in rows:
         here = at(v, r)
-        low, high = lower(low, here), higher(high, here)
+        low, high = minimum(low, here), maximum(high, here)
     least = most = at(v, nodes[0]["row"])
     for t in range(nodes.size):
         here = at(v, nodes[t]["row"])
-        least, most = lower(least, here), higher(most, here)
-    bound = higher(subtract(most, low), subtract(high, least))
+        least, most = minimum(least, here), maximum(most, here)
+    bound = maximum(subtract(most, low), subtract(high, least))
     return float(np.sqrt(dot(bound, bound)))
 
 
 @inlined
-def lower(a: Vector, b: Vector) -> Vector:
+def minimum(a: Vector, b: Vector) -> Vector:
     """The lesser of each component."""
     return min(a[0], b[0]), min(a[1], b[1]), min(a[2], b[2])
 
 
 @inlined
-def higher(a: Vector, b: Vector) -> Vector:
+def maximum(a: Vector, b: Vector) -> Vector:
     """The greater of each component."""
     return max(a[0], b[0]), max(a[1], b[1]), max(a[2], b[2])

@@ -1,69 +1,93 @@
-"""The work of a contact on what moves: what the springs store, what dampers and friction take.
+"""Energy account of a contact: work of the contact forces, what slip dissipates, and what released springs contained.
 
-Over a step it is -(f_{n-1} + f_n)/2 . dt v_{n-1/2}, each half with the contact point of its own time; the second half
-is added where the force is made (`push`), and what slips is moved from there to the energy of friction (`friction`).
+The work over a step is -(f_{n-1} + f_n)/2 . dt v_{n-1/2}, each half with the contact point of its own time; the second
+half is added with the force (`add_contact_force`), and what slip dissipates is moved from "contact" to "friction".
 
-A spring that is let go while it is pressed (too deep, beyond the end of its surface, at the death of the contact)
-gives its energy to nothing that moves: it is moved to the energy "released", so that "contact" holds what springs that
-touch store, and what dampers have taken. One that is pressed already as it begins (on the far side of a shell that has
-let a node through, at the birth of the contact) has energy that nothing gave: it is taken from there.
+A spring whose contact ends under pressure (too deep, beyond the end of its surface, at the death of the contact) gives
+its energy to nothing that moves: it is moved to the energy "released", so that "contact" contains what springs of
+active contacts store, and what dampers have dissipated. A spring whose contact begins under pressure (on the far side
+of a shell that has released a node, at the birth of the contact) contains energy that nothing gave: it is taken from
+"released".
 """
 
+from vmharness.explicit.contact.force import stiffness
 from vmharness.explicit.contact.geometry import shape
-from vmharness.explicit.contact.kinematics import carried, relative
-from vmharness.explicit.contact.records import Record, Records
-from vmharness.explicit.contact.stiffness import stiffness
+from vmharness.explicit.contact.kinematics import relative, transport_velocity
+from vmharness.explicit.contact.records import CONTACT, FRICTION, RELEASED, Record, Records, vector_of
 from vmharness.explicit.kernels.compiled import uncounted
-from vmharness.explicit.kernels.vector import add, dot, inlined, scale, subtract
+from vmharness.explicit.kernels.vector import Vector, add, dot, inlined, scale, subtract
 from vmharness.explicit.model.state import Array
 
 
 @inlined
-def half_work(
-    x: Array, v: Array, dt: float, node: Record, segments: Records, touch: Record, rule: Record, account: Array
-) -> None:  # fmt: skip
-    """The work of the force at t_{n-1} over the first half of the step."""
-    row, segment = node["row"], segments[touch["segment"]]
-    weights = shape(segment["triangle"], touch["xi"], touch["eta"])
-    velocity = relative(v, row, segment, weights)
-    if rule["friction"]:
-        velocity = subtract(velocity, carried(x, v, row, segment, weights, dt))
-    account[0] -= 0.5 * dt * dot((touch["force"][0], touch["force"][1], touch["force"][2]), velocity)
-
-
-@uncounted
-def catch(
-    x: Array, v: Array, mass: Array, dt: float, node: Record, segments: Records, touch: Record, rule: Record,
+def add_half_work(
+    # model
+    segments: Records, parameters: Record,
+    # motion, contact
+    x: Array, v: Array, dt: float, node: Record, state: Record,
+    # updated
     account: Array,
 ) -> None:  # fmt: skip
-    """A touch begins at t_n: k d/2 (d + dt v_n) was there, if the node was behind at t_{n-1} already; d = -gap."""
-    segment = segments[touch["segment"]]
-    velocity = relative(v, node["row"], segment, shape(segment["triangle"], touch["xi"], touch["eta"]))
-    before = dt * dot(velocity, (touch["normal"][0], touch["normal"][1], touch["normal"][2])) - touch["gap"]
-    k = stiffness(node, segment, mass, rule["sofscl"], rule["longest"])
-    found = -0.5 * k * touch["gap"] * max(0.0, before)
-    account[0] += found
-    account[5] -= found
+    """Add the work of the force at t_{n-1} over the first half of the step."""
+    row, segment = node["row"], segments[state["segment"]]
+    weights = shape(segment["triangle"], state["xi"], state["eta"])
+    velocity = relative(v, row, segment, weights)
+    if parameters["friction"]:
+        velocity = subtract(velocity, transport_velocity(x, v, row, segment, weights, dt))
+    account[CONTACT] -= 0.5 * dt * dot(vector_of(state["force"]), velocity)
 
 
 @uncounted
-def let_go(
-    x: Array, v: Array, dt: float, node: Record, segments: Records, touch: Record, account: Array
-) -> None:
-    """No force is left at t_n: all that is stretched slips, and what is pressed, d = -gap, is released.
+def account_activation(
+    # model
+    mass: Array, segments: Records, parameters: Record,
+    # motion, contact
+    v: Array, dt: float, node: Record, state: Record,
+    # updated
+    account: Array,
+) -> None:  # fmt: skip
+    """Take from "released" the energy of a contact that begins under pressure at t_n.
 
-    |f_t|/2 |s + dt v_t| goes to friction, f_n/2 (d - dt v_n) to "released"; f, s, d and the normal are of t_{n-1}, v of
-    the step. With the work of its first half this is all that the spring has in the account.
+    It is k d/2 (d + dt v_n), d = -gap, if the node was behind at t_{n-1} already.
     """
-    segment = segments[touch["segment"]]
-    velocity = relative(v, node["row"], segment, shape(segment["triangle"], touch["xi"], touch["eta"]))
-    n = (touch["normal"][0], touch["normal"][1], touch["normal"][2])
+    segment = segments[state["segment"]]
+    velocity, n = approach(v, segment, node, state)
+    before = dt * dot(velocity, n) - state["gap"]
+    k = stiffness(node, segment, mass, parameters["sofscl"], parameters["longest_step"])
+    found = -0.5 * k * state["gap"] * max(0.0, before)
+    account[CONTACT] += found
+    account[RELEASED] -= found
+
+
+@uncounted
+def account_release(
+    # model
+    segments: Records,
+    # motion, contact
+    v: Array, dt: float, node: Record, state: Record,
+    # updated
+    account: Array,
+) -> None:  # fmt: skip
+    """Move the energy of a contact that ends at t_n to "friction" and "released".
+
+    |f_t|/2 |s + dt v_t| goes to friction, f_n/2 (d - dt v_n) to released, d = -gap; f, s, d and the normal are of
+    t_{n-1}, v of the step. With the work of its first half this is all that the spring has in the account.
+    """
+    velocity, n = approach(v, segments[state["segment"]], node, state)
     leaving = dot(velocity, n)
     sliding = subtract(velocity, scale(leaving, n))
-    slip = add((touch["slip"][0], touch["slip"][1], touch["slip"][2]), scale(dt, sliding))
-    left = 0.5 * touch["shear"] * dot(slip, slip) ** 0.5
-    force = (touch["force"][0], touch["force"][1], touch["force"][2])
-    pressed = 0.5 * dot(force, n) * max(0.0, -touch["gap"] - touch["ease"] - dt * leaving)
-    account[0] -= left + pressed
-    account[1] += left
-    account[5] += pressed
+    slip = add(vector_of(state["slip"]), scale(dt, sliding))
+    left = 0.5 * state["shear"] * dot(slip, slip) ** 0.5
+    pressed = (
+        0.5 * dot(vector_of(state["force"]), n) * max(0.0, -state["gap"] - state["offset"] - dt * leaving)
+    )
+    account[CONTACT] -= left + pressed
+    account[FRICTION] += left
+    account[RELEASED] += pressed
+
+
+@inlined
+def approach(v: Array, segment: Record, node: Record, state: Record) -> tuple[Vector, Vector]:
+    """The relative velocity of node and contact point, and the contact normal."""
+    weights = shape(segment["triangle"], state["xi"], state["eta"])
+    return relative(v, node["row"], segment, weights), vector_of(state["normal"])

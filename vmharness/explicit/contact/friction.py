@@ -1,16 +1,16 @@
-"""Coulomb friction with a spring that sticks (LS-DYNA theory manual, trial force and return to the cone).
+"""Coulomb friction with an elastic spring that sticks (LS-DYNA theory manual, trial force and return to the cone).
 
-    trial    f* = -k (s + dt v_t)                      s the stretch so far, turned with the segment
+    trial    f* = -k (s + dt v_t)                      s the stretch so far, rotated with the segment
     limit    f_max = min(mu f_n, VC A)                 mu = FD + (FS - FD) exp(-DC |v_t|)
     |f*| <= f_max: stick, s grows;  else: slip, s = -f/k with f = f_max f*/|f*|
 
-What slips, ds, dissipates (|f_{n-1}| + |f_n|)/2 |ds|; what sticks is a spring and gives its energy back.
+The slip ds dissipates (|f_{n-1}| + |f_n|)/2 |ds|; the spring gives its energy back while it sticks.
 """
 
 import numpy as np
 
 from vmharness.explicit.contact.geometry import Corners, at_time, corners, tangents
-from vmharness.explicit.contact.records import Record
+from vmharness.explicit.contact.records import CONTACT, FRICTION, Record, vector_of
 from vmharness.explicit.kernels.compiled import uncounted
 from vmharness.explicit.kernels.vector import (
     Vector,
@@ -28,39 +28,47 @@ from vmharness.explicit.model.state import Array
 
 
 @uncounted
-def rub(
-    x: Array, v: Array, dt: float, node: Record, segment: Record, touch: Record, rule: Record, account: Array,
-    k: float, pressing: float, velocity: Vector, n: Vector,
+def friction_force(
+    # model
+    segment: Record, parameters: Record,
+    # motion, relative velocity, normal
+    x: Array, v: Array, dt: float, velocity: Vector, n: Vector,
+    # stiffness, normal force
+    k: float, pressing: float,
+    # updated
+    node: Record, state: Record, account: Array,
 ) -> Vector:  # fmt: skip
-    """The friction force; what slips is taken from the contact's energy to the friction's."""
+    """Return the friction force on the node; move the energy that slip dissipates from "contact" to "friction"."""
     sliding = tangential(velocity, n)
-    nodes, slip = segment["nodes"], (touch["slip"][0], touch["slip"][1], touch["slip"][2])
+    nodes, slip = segment["nodes"], vector_of(state["slip"])
     if dot(slip, slip) > 0.0:
         new = corners(x, nodes)
         old = at_time(new, corners(v, nodes), dt)
-        slip = turned(segment["triangle"], old, new, touch["xi"], touch["eta"], slip, n)
+        slip = rotate(segment["triangle"], old, new, state["xi"], state["eta"], slip, n)
     speed = dot(sliding, sliding) ** 0.5
-    most = limit(pressing, speed, rule["fs"], rule["fd"], rule["dc"], rule["vc"] * node["area"])
-    slip, slipped = stretch(slip, scale(dt, sliding), k, most)
+    most = friction_limit(
+        pressing, speed, parameters["fs"], parameters["fd"], parameters["dc"], parameters["vc"] * node["area"]
+    )
+    slip, slipped = return_to_cone(slip, scale(dt, sliding), k, most)
     shear = k * dot(slip, slip) ** 0.5
-    dissipated = 0.5 * (touch["shear"] + shear) * slipped
-    account[0] -= dissipated
-    account[1] += dissipated
-    touch["shear"] = shear
-    touch["slip"][0], touch["slip"][1], touch["slip"][2] = slip
+    dissipated = 0.5 * (state["shear"] + shear) * slipped
+    account[CONTACT] -= dissipated
+    account[FRICTION] += dissipated
+    state["shear"] = shear
+    state["slip"][0], state["slip"][1], state["slip"][2] = slip
     return scale(-k, slip)
 
 
 @inlined
-def limit(pressing: float, speed: float, fs: float, fd: float, dc: float, vc_area: float) -> float:
-    """The largest friction force."""
+def friction_limit(pressing: float, speed: float, fs: float, fd: float, dc: float, vc_area: float) -> float:
+    """The largest friction force, min(mu f_n, VC A)."""
     mu = fd + (fs - fd) * np.exp(-dc * speed) if fs != fd else fs
     return float(min(mu * pressing, vc_area))
 
 
 @uncounted
-def stretch(slip: Vector, increment: Vector, k: float, most: float) -> tuple[Vector, float]:
-    """The stretch of the spring after an increment, and how much of it has slipped, with k |s| <= `most`."""
+def return_to_cone(slip: Vector, increment: Vector, k: float, most: float) -> tuple[Vector, float]:
+    """The stretch s of the spring after an increment, with k |s| <= `most`, and how much of the increment slips."""
     trial = add(slip, increment)
     length = dot(trial, trial) ** 0.5
     if k * length <= most:
@@ -83,9 +91,9 @@ def triad(triangle: bool, c: Corners, xi: float, eta: float) -> tuple[Vector, Ve
 
 
 @uncounted
-def turned(triangle: bool, old: Corners, new: Corners, xi: float, eta: float, a: Vector, n: Vector) -> Vector:
-    """The vector a turned as the segment turns from `old` to `new`, then laid across n at the same length."""
-    with_it = combine(triad(triangle, new, xi, eta), components(triad(triangle, old, xi, eta), a))
-    across = tangential(with_it, n)
+def rotate(triangle: bool, old: Corners, new: Corners, xi: float, eta: float, a: Vector, n: Vector) -> Vector:
+    """Rotate the vector a with the segment from `old` to `new`, then project it across n at the same length."""
+    rotated = combine(triad(triangle, new, xi, eta), components(triad(triangle, old, xi, eta), a))
+    across = tangential(rotated, n)
     length = dot(across, across) ** 0.5
     return scale(dot(a, a) ** 0.5 / length, across) if length > 0.0 else across

@@ -3,7 +3,7 @@
     quadrilateral   N_i = 1/4 (1 + xi_i xi)(1 + eta_i eta)        -1 <= xi, eta <= 1
     triangle        N = (1 - xi - eta, xi, eta, 0)                0 <= xi, eta, xi + eta <= 1
 
-Its normal is r,xi x r,eta. `c` are the four corners; a triangle repeats its third, which takes no share of its own.
+Its normal is r,xi x r,eta. `c` are the four corners; a triangle repeats its third corner, whose second N is zero.
 """
 
 from typing import TypeAlias
@@ -16,9 +16,6 @@ from vmharness.explicit.model.state import Array
 
 Corners: TypeAlias = tuple[Vector, Vector, Vector, Vector]
 Weights: TypeAlias = tuple[float, float, float, float]
-
-ITERATIONS = 20
-CONVERGED = 1e-13  # in xi and eta
 
 
 @inlined
@@ -35,7 +32,7 @@ def corners(field: Array, nodes: NDArray[np.intp]) -> Corners:
 
 @inlined
 def at_time(c: Corners, v: Corners, back: float) -> Corners:
-    """Corners as they were a time `back` ago, x - back v."""
+    """Corners at the time t_n - back: x - back v."""
     return (
         subtract(c[0], scale(back, v[0])), subtract(c[1], scale(back, v[1])),
         subtract(c[2], scale(back, v[2])), subtract(c[3], scale(back, v[3])),
@@ -44,7 +41,7 @@ def at_time(c: Corners, v: Corners, back: float) -> Corners:
 
 @inlined
 def shape(triangle: bool, xi: float, eta: float) -> Weights:
-    """N_i(xi, eta)."""
+    """Shape functions N_i(xi, eta)."""
     if triangle:
         return 1.0 - xi - eta, xi, eta, 0.0
     a, b, c, d = 1.0 - xi, 1.0 + xi, 0.25 * (1.0 - eta), 0.25 * (1.0 + eta)
@@ -75,6 +72,17 @@ def polynomial(triangle: bool, c: Corners) -> Corners:
 
 
 @inlined
+def start(
+    triangle: bool, c: Corners, p: Vector, xi: float, eta: float
+) -> tuple[Vector, Vector, Vector, Vector]:
+    """Tangents r,xi and r,eta, twist r,xi,eta, and p - r at (xi, eta)."""
+    o, a, b, w = polynomial(triangle, c)
+    along = add(a, scale(eta, w))  # r,xi; and r = o + eta b + xi r,xi
+    away = subtract(p, add(o, add(scale(eta, b), scale(xi, along))))
+    return along, add(b, scale(xi, w)), w, away
+
+
+@inlined
 def tangents(triangle: bool, c: Corners, xi: float, eta: float) -> tuple[Vector, Vector]:
     """r,xi and r,eta."""
     _, a, b, w = polynomial(triangle, c)
@@ -89,97 +97,21 @@ def normal(triangle: bool, c: Corners, xi: float, eta: float) -> Vector:
 
 
 @inlined
+def size(c: Corners) -> float:
+    """A length of the segment: the square root of twice its area."""
+    area = cross(subtract(c[2], c[0]), subtract(c[3], c[1]))
+    return float(dot(area, area) ** 0.25)
+
+
+@inlined
+def centre(triangle: bool) -> tuple[float, float]:
+    """(xi, eta) of the centre of a segment: first guess of its closest point."""
+    return (1.0 / 3.0, 1.0 / 3.0) if triangle else (0.0, 0.0)
+
+
+@inlined
 def beyond(triangle: bool, xi: float, eta: float) -> float:
-    """How far outside the segment, in xi and eta of a quadrilateral (a side is 2 long); negative within."""
+    """Distance outside the segment, in xi and eta of a quadrilateral (a side is 2 long); negative within."""
     if triangle:
         return 2.0 * max(-xi, -eta, xi + eta - 1.0)
     return max(abs(xi), abs(eta)) - 1.0
-
-
-@inlined
-def newton(
-    xi: float, eta: float, a: Vector, b: Vector, w: Vector, d: Vector
-) -> tuple[float, float, Vector, Vector, Vector, float]:
-    """One step towards (p - r) . r,xi = (p - r) . r,eta = 0, and what it leaves, in xi and eta.
-
-    `a`, `b`: r,xi and r,eta; `w`: r,xi,eta; `d`: p - r, there and at the end of the step. What a step ds leaves is of
-    the order |r,xi,eta| / |r,xi| ds^2: nothing on a parallelogram. Steps are limited, so that a warped segment and a
-    distant p do not throw the iteration off.
-    """
-    aa, bb, plain = dot(a, a), dot(b, b), dot(a, b)
-    # The twist enters the Hessian of |p - r|^2 / 2 off the diagonal; where that is not convex, leave it out.
-    ab = plain - dot(d, w)
-    ab = plain if ab * ab >= 0.999 * aa * bb else ab
-    ra, rb = dot(d, a), dot(d, b)
-    inverse = 1.0 / (aa * bb - ab * ab)
-    step_xi, step_eta = (bb * ra - ab * rb) * inverse, (aa * rb - ab * ra) * inverse
-    longest = max(abs(step_xi), abs(step_eta))
-    shorten = 2.0 / max(longest, 2.0)
-    step_xi, step_eta = shorten * step_xi, shorten * step_eta
-    b = add(b, scale(step_xi, w))
-    d = subtract(d, add(scale(step_xi, a), scale(step_eta, b)))
-    left = min(longest, longest * longest * (dot(w, w) / min(aa, bb)) ** 0.5)
-    return xi + step_xi, eta + step_eta, add(a, scale(step_eta, w)), b, d, left if shorten == 1.0 else longest
-
-
-@inlined
-def project(triangle: bool, c: Corners, p: Vector, xi: float, eta: float) -> tuple[float, float]:
-    """(xi, eta) with (p - r) . r,xi = (p - r) . r,eta = 0 by Newton's method from a first guess.
-
-    They may lie outside the segment.
-    """
-    o, a, b, w = polynomial(triangle, c)
-    a, b = add(a, scale(eta, w)), add(b, scale(xi, w))
-    d = subtract(subtract(p, o), add(scale(xi, a), scale(eta, subtract(b, scale(xi, w)))))  # p - r
-    for _ in range(ITERATIONS):
-        xi, eta, a, b, d, left = newton(xi, eta, a, b, w, d)
-        if left <= CONVERGED:
-            break
-    return xi, eta
-
-
-@inlined
-def border(triangle: bool, c: Corners, p: Vector) -> tuple[float, float]:
-    """(xi, eta) of the point on the border that is closest to p."""
-    best_xi, best_eta, least = 0.0, 0.0, np.inf
-    for edge in range(3 if triangle else 4):
-        if edge == 0:
-            start, end = c[0], c[1]
-        elif edge == 1:
-            start, end = c[1], c[2]
-        elif edge == 2:
-            start, end = c[2], c[0] if triangle else c[3]
-        else:
-            start, end = c[3], c[0]
-        along, to = subtract(end, start), subtract(p, start)
-        s = min(max(dot(to, along) / dot(along, along), 0.0), 1.0)
-        away = subtract(to, scale(s, along))
-        if dot(away, away) < least:
-            least = dot(away, away)
-            best_xi, best_eta = on_edge(triangle, edge, s)
-    return best_xi, best_eta
-
-
-@inlined
-def on_edge(triangle: bool, edge: int, s: float) -> tuple[float, float]:
-    """(xi, eta) at the fraction s of an edge, from its first corner to the next."""
-    if triangle:
-        if edge == 0:
-            return s, 0.0
-        return (1.0 - s, s) if edge == 1 else (0.0, 1.0 - s)
-    u = 2.0 * s - 1.0
-    if edge == 0:
-        return u, -1.0
-    if edge == 1:
-        return 1.0, u
-    return (-u, 1.0) if edge == 2 else (-1.0, -u)
-
-
-@inlined
-def closest(triangle: bool, c: Corners, p: Vector, xi: float, eta: float) -> tuple[float, float, float]:
-    """(xi, eta) of the closest point within the segment, and how far beyond it p projects (see `beyond`)."""
-    xi, eta = project(triangle, c, p, xi, eta)
-    out = beyond(triangle, xi, eta)
-    if out > 0.0:
-        xi, eta = border(triangle, c, p)
-    return xi, eta, out

@@ -1,18 +1,44 @@
-"""What a contact remembers of each node, of each segment, and of each point where they touch."""
+"""Data of the contact mechanics: tracked nodes, segments, and the state of each contact of a node with a segment."""
 
+from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.contact.segments import Segments
-from vmharness.explicit.contact.tracked import Tracked
 from vmharness.explicit.kernels.vector import Vector, inlined
+from vmharness.explicit.model.state import Array
 
+Index: TypeAlias = NDArray[np.intp]
 Records: TypeAlias = NDArray[np.void]
 Record: TypeAlias = Any  # one of them: fields by name
 
-MOST = 6  # a node touches at most so many places at once: corners of blocks that meet in a pile
+MAX_CONTACTS = 6  # active contacts a node: corners of blocks that meet in a pile
+
+# Places in the account (6,) of a pass: energies, and the sum of forces on the tracked nodes at FORCE to FORCE + 2.
+CONTACT, FRICTION, FORCE, RELEASED = 0, 1, 2, 5
+
+
+@dataclass(frozen=True)
+class Tracked:
+    """Tracked nodes (LS-DYNA: SURFA), with stiffness, thickness and area of their own elements."""
+
+    nodes: Index  # (nt,) rows of the state's arrays, each once
+    penalty: Array  # (nt,) SLSFAC SFSA times the largest of the node's elements; infinity where it has none
+    thickness: Array  # (nt,) of its shells; zero where it has none, and where mid-surfaces touch
+    area: Array  # (nt,) its share of the surface, for VC; infinity where it has none
+
+
+@dataclass(frozen=True)
+class Segments:
+    """Segments (LS-DYNA: SURFB): quadrilaterals and triangles whose normal points to the front (right-hand rule)."""
+
+    nodes: Index  # (ns, 4) rows of the state's arrays; a triangle repeats its third node
+    penalty: Array  # (ns,) stiffness, SLSFAC SFSB K A/d of a shell or SLSFAC SFSB K A^2/V of a solid
+    thickness: Array  # (ns,) of the shell; zero for solids, and where mid-surfaces touch
+    release: Array  # (ns,) depth beyond which a node is released; infinity where none is
+    two_sided: NDArray[np.bool_]  # (ns,) contact begins on the side that a node comes from; else on the front
+
 
 NODE = np.dtype(
     [
@@ -20,14 +46,13 @@ NODE = np.dtype(
         ("penalty", np.float64),
         ("thickness", np.float64),
         ("area", np.float64),
-        ("count", np.intp),  # of its touches
-        (
-            "clear",
-            np.float64,
-        ),  # nothing new is touched before surfaces have moved so far since they were sorted
-        ("force", np.float64, 3),  # sum over its touches
-        ("released", np.bool_),  # once at least, for its depth
-        ("settled", np.bool_),  # all of these have stayed well within their segments
+        ("count", np.intp),  # of active contacts
+        ("clearance", np.float64),  # relative motion since the sort before which no new contact can begin
+        ("force", np.float64, 3),  # sum over its contacts
+        ("released", np.bool_),  # once at least, deeper than the depth of release
+        ("settled", np.bool_),  # all of its contacts stayed well within their segments
+        ("full_cycles", np.intp),  # cycles in which it needed more than MAX_CONTACTS
+        ("long_slides", np.intp),  # times that it crossed MAX_CROSSINGS borders in one step
     ],
     align=True,
 )
@@ -44,16 +69,16 @@ SEGMENT = np.dtype(
     align=True,
 )
 
-TOUCH = np.dtype(
+CONTACT_STATE = np.dtype(
     [
         ("segment", np.intp),
         ("side", np.float64),  # 1 in front of the segment, -1 behind it, as the node came
         ("xi", np.float64),  # of the contact point
         ("eta", np.float64),
-        ("normal", np.float64, 3),  # along which the node is pushed
+        ("normal", np.float64, 3),  # direction of the normal force on the node
         ("gap", np.float64),  # negative
-        ("ease", np.float64),  # penetration that is left as it is
-        ("slip", np.float64, 3),  # stretch of the spring that sticks
+        ("offset", np.float64),  # initial penetration that causes no force
+        ("slip", np.float64, 3),  # stretch of the friction spring
         ("shear", np.float64),  # force in it
         ("force", np.float64, 3),  # on the node
     ],
@@ -62,10 +87,16 @@ TOUCH = np.dtype(
 
 
 @inlined
-def write(touch: Record, s: int, side: float, xi: float, eta: float, n: Vector, gap: float) -> None:
-    """Keep where a touch is found at t_n."""
-    touch["segment"], touch["side"], touch["xi"], touch["eta"], touch["gap"] = s, side, xi, eta, gap
-    touch["normal"][0], touch["normal"][1], touch["normal"][2] = n
+def vector_of(field: Array) -> Vector:
+    """The vector in a field (3,) of a record."""
+    return field[0], field[1], field[2]
+
+
+@inlined
+def write(state: Record, s: int, side: float, xi: float, eta: float, n: Vector, gap: float) -> None:
+    """Store segment, contact point, normal and gap of a contact at t_n."""
+    state["segment"], state["side"], state["xi"], state["eta"], state["gap"] = s, side, xi, eta, gap
+    state["normal"][0], state["normal"][1], state["normal"][2] = n
 
 
 def node_records(tracked: Tracked) -> Records:

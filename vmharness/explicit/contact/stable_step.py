@@ -13,7 +13,7 @@ which is at most twice too large where each of the two belongs to another place.
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.contact.one_way import OneWay
+from vmharness.explicit.contact.contact import OneWay
 from vmharness.explicit.model.state import Array
 
 

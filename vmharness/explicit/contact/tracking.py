@@ -1,58 +1,53 @@
-"""Tracking: how a node in contact slides over the segments of a surface, crosses borders and lets go.
+"""Tracking: how a node in contact slides over the segments of a surface, crosses borders and leaves contact.
 
 The contact point is the closest point of the surface, found from the last one: within the segment, on its border, or on
-a neighbour that is nearer. Force derives from the potential k g^2 / 2 of the distance, so it does not jump where
-segments join flat, and does no work on a round trip where they join at an angle. A node behind two walls of a valley is
-nearest to the edge between them: it is pushed by both, since (a^2 + b^2)/2 is the potential of both. The surface ends
-where segments join by a ridge of more than 60 degrees, for a node behind it: the other side of a sharp edge is not
-where it came from.
+a neighbour that is nearer. The force derives from the potential k g^2 / 2 of the distance, so it does not jump where
+segments join flat, and does no work on a closed path where they join at an angle. A node behind two walls of a valley
+is nearest to the edge between them: both walls push it, since (a^2 + b^2)/2 is the potential of both. For a node
+behind it, the surface ends where segments join by a ridge of more than 60 degrees: the other side of a sharp edge is
+not where the node came from.
 
-Beyond the end of the surface, a node behind it is kept up to MAXPAR, and a node in front of a shell, within the
-thicknesses, is kept by the edge itself, which is round.
+Beyond the end of the surface, a node behind it stays in contact up to MAXPAR, and a node in front of a shell, within
+the thicknesses, is in contact with the edge itself, which is round.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-from vmharness.explicit.contact.geometry import (
-    at,
-    beyond,
-    corners,
-    interpolate,
-    normal,
-    project,
-    shape,
-    tangents,
-)
-from vmharness.explicit.contact.nearest_neighbour import nearer
-from vmharness.explicit.contact.projection import first_guess, half_thickness, place
-from vmharness.explicit.contact.records import Record, Records, write
-from vmharness.explicit.kernels.vector import Vector, dot, inlined, scale, subtract
+from vmharness.explicit.contact.geometry import at, beyond, centre, corners, tangents
+from vmharness.explicit.contact.neighbours import nearest_neighbour
+from vmharness.explicit.contact.projection import half_thickness, height_over, is_inside, project_node
+from vmharness.explicit.contact.records import Index, Record, Records, write
+from vmharness.explicit.kernels.vector import Vector, dot, inlined, scale
 from vmharness.explicit.model.state import Array
 
-Index = NDArray[np.intp]
-
-HOPS = 4  # borders crossed within one step
+MAX_CROSSINGS = 4  # borders crossed in one step
 
 
 @inlined
-def follow(
-    x: Array, node: Record, touches: Records, k: int, segments: Records, first: Index, beside: Index, maxpar: float
+def track(
+    # model
+    segments: Records, first: Index, neighbours: Index, maxpar: float,
+    # node, and which of its contacts; updated
+    x: Array, node: Record, states: Records, k: int,
 ) -> bool:  # fmt: skip
-    """Bring touch k of a node to t_n: segment, contact point, normal, gap; False, and these left, where it lets go."""
-    touch, p = touches[k], at(x, node["row"])
-    s, side, xi, eta = touch["segment"], touch["side"], touch["xi"], touch["eta"]
+    """Update segment, contact point, normal and gap of contact k of a node at t_n; return False where contact ends."""
+    state, p = states[k], at(x, node["row"])
+    s, side, xi, eta = state["segment"], state["side"], state["xi"], state["eta"]
     shared = False
-    for _ in range(HOPS):
-        xi, eta, out, away, n = place(x, segments[s], p, xi, eta)
-        if inside(x, segments[s], xi, eta, out, away):
+    for crossing in range(MAX_CROSSINGS):
+        xi, eta, out, away, n = project_node(x, segments[s], p, xi, eta)
+        if is_inside(out, tangent_square(x, segments[s], xi, eta), away):
             break
-        other, turn, shared = nearer(x, node, touches, s, side, out, away, n, segments, first, beside)
+        other, turn, shared = nearest_neighbour(
+            segments, first, neighbours, x, node, states, s, side, out, away, n
+        )
         if other < 0:
             break
         s, side = other, side * turn
-        touch["segment"] = s
-        xi, eta = first_guess(segments[s]["triangle"])
+        state["segment"] = s
+        xi, eta = centre(segments[s]["triangle"])
+        if crossing == MAX_CROSSINGS - 1:
+            node["long_slides"] += 1
 
     segment = segments[s]
     distance, height = np.sqrt(dot(away, away)), side * dot(away, n)
@@ -66,7 +61,7 @@ def follow(
         height = -distance
     else:
         if out > 0.0:
-            xi, eta, out, height, n = extended(x, segment, p, xi, eta, side)
+            xi, eta, out, height, n = project_on_continuation(x, segment, p, xi, eta, side)
             if out > maxpar - 1.0:
                 return False
         n = scale(side, n)
@@ -76,24 +71,22 @@ def follow(
         return False
     if gap >= 0.0:
         return False
-    write(touch, s, side, xi, eta, n, gap)
+    write(state, s, side, xi, eta, n, gap)
     return True
 
 
 @inlined
-def inside(x: Array, segment: Record, xi: float, eta: float, out: float, away: Vector) -> bool:
-    """Whether the node is nearer to the segment than its border is, so that no neighbour is as near."""
+def tangent_square(x: Array, segment: Record, xi: float, eta: float) -> float:
+    """The lesser of r,xi . r,xi and r,eta . r,eta."""
     a, b = tangents(segment["triangle"], corners(x, segment["nodes"]), xi, eta)
-    return bool(out < 0.0 and out * out * min(dot(a, a), dot(b, b)) > dot(away, away))
+    return min(dot(a, a), dot(b, b))
 
 
 @inlined
-def extended(
+def project_on_continuation(
     x: Array, segment: Record, p: Vector, xi: float, eta: float, side: float
 ) -> tuple[float, float, float, float, Vector]:
-    """xi, eta on the segment continued beyond its border; how far beyond; the height there; the normal."""
+    """xi, eta on the segment continued beyond its border; how far beyond; height on `side`; the normal."""
     c, triangle = corners(x, segment["nodes"]), segment["triangle"]
-    xi, eta = project(triangle, c, p, xi, eta)
-    n = normal(triangle, c, xi, eta)
-    height = side * dot(subtract(p, interpolate(c, shape(triangle, xi, eta))), n)
-    return xi, eta, beyond(triangle, xi, eta), height, n
+    xi, eta, height, n = height_over(triangle, c, p, xi, eta)
+    return xi, eta, beyond(triangle, xi, eta), side * height, n

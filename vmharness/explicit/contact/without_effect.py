@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from vmharness.deck import Deck, Entry, Keyword
-from vmharness.explicit.contact.number import number_of
+from vmharness.explicit.contact.cards import number_of
 from vmharness.explicit.contact.surface.choice import ALL
 
 Reason = tuple[tuple[str, ...], str]  # fields, and why they do not act

@@ -27,7 +27,7 @@ def of_contact(model: Model, contact: int, component: str, node: int | None = No
         "friction energy": found.energy["friction"].item,
         "released energy": found.energy["released"].item,
         "area": found.area,
-        "nodes": found.touching,
+        "nodes": found.nodes_in_contact,
     }
     return choose(probes, component, "of a contact")
 

@@ -8,8 +8,7 @@ import pytest
 
 from vmharness.explicit.contact.contact import Contact
 from vmharness.explicit.contact.parameters import Options
-from vmharness.explicit.contact.segments import Segments
-from vmharness.explicit.contact.tracked import Tracked
+from vmharness.explicit.contact.records import Segments, Tracked
 from vmharness.explicit.model.state import Array, State
 
 

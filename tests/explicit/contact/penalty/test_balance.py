@@ -37,7 +37,7 @@ def test_frictionless_contact_gives_its_energy_back(scene, bench):
     for s in bench.march(state, [contact], 2e-4, 3000):
         most = max(most, contact.energy["contact"][0])
         worst = max(worst, abs(bench.kinetic(s) + contact.energy["contact"][0] - before))
-    assert contact.touching() == 0
+    assert contact.nodes_in_contact() == 0
     assert most > 0.1 * before
     assert abs(contact.energy["contact"][0]) < 2e-3 * most  # (w dt)^2
     assert worst < 1e-3 * before
@@ -74,7 +74,7 @@ def test_what_is_let_go_while_it_is_pressed_leaves_nothing_stored(scene, bench, 
         assert total == pytest.approx(before, rel=1e-4)  # (w dt)^2
         most = max(most, account["contact"])
     assert not contact.force.any()
-    assert contact.touching() == 0
+    assert contact.nodes_in_contact() == 0
     assert total == pytest.approx(before, rel=1e-12)
     assert account["released"] == pytest.approx(most, rel=0.1)
     assert account["contact"] == pytest.approx(0.0, abs=1e-12)
@@ -89,7 +89,7 @@ def test_what_is_pressed_as_a_contact_is_born_was_given_by_nothing(scene, bench)
     for s in bench.march(state, [contact], 1e-4, 500):
         if s.cycle == 100:  # the first with force, where the depth is 0.03
             assert contact.energy["contact"][0] == pytest.approx(0.5 * 1000.0 * 0.03**2, rel=1e-9)
-    assert contact.touching() == 0
+    assert contact.nodes_in_contact() == 0
     assert contact.energy["contact"][0] == pytest.approx(0.0, abs=2e-3 * 0.45)
     gained = bench.kinetic(s) - 0.5 * 0.1
     assert contact.energy["released"][0] == pytest.approx(-gained, rel=2e-3)

@@ -32,7 +32,7 @@ def test_sliding_across_ten_segments_follows_mu_n(scene, bench):
     settled(bench, state, ball, contact)
     crossed = set()
     for s in bench.march(state, [contact], 1e-4, 26000, gravity=(0.0, 0.0, -G)):
-        crossed.add(int(contact.passes[0].touches["segment"][0, 0]))
+        crossed.add(int(contact.passes[0].states["segment"][0, 0]))
         if s.cycle > 50 and s.t < 0.99 * v / mu / G:
             assert -contact.force[0] == pytest.approx(mu * MASS * G, rel=1e-9)
     assert len(crossed) == 10
@@ -103,7 +103,7 @@ def test_the_spring_that_stuck_is_lost_when_a_node_leaves(scene, bench):
     state.v[ball] = [0.05, 0.0, 0.5]
     before = bench.kinetic(state) + 0.5 * (MASS * G) ** 2 / K
     *_, s = bench.march(state, [contact], 1e-5, 1000)
-    assert contact.touching() == 0
+    assert contact.nodes_in_contact() == 0
     assert contact.energy["friction"][0] > 0.0
     left = contact.energy["contact"][0] + 0.5 * (MASS * G) ** 2 / K
     assert bench.kinetic(s) + contact.energy["friction"][0] + left == pytest.approx(before, rel=1e-5)

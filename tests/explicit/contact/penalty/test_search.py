@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from vmharness.explicit.contact.neighbours import neighbours
+from vmharness.explicit.contact.neighbours import find_neighbours
 from vmharness.explicit.contact.records import node_records, segment_records
-from vmharness.explicit.contact.search import candidates
+from vmharness.explicit.contact.search import find_candidates
 
 
 def test_neighbours_share_a_node(scene, bench):
     nodes = scene.sheet(bench.flat, range(4), range(4))
-    first, found = neighbours(nodes)
+    first, found = find_neighbours(nodes)
     for s, own in enumerate(nodes):
         shared = {q for q, other in enumerate(nodes) if q != s and set(other) & set(own)}
         assert sorted(found[first[s] : first[s + 1]]) == sorted(shared)
@@ -26,7 +26,7 @@ def test_buckets_find_all_that_is_near_and_each_once(scene, bench, reach):
     x = scene.state().x
     nodes = node_records(bench.tracked(np.concatenate([cloud, own]), thickness=0.02))
     segments = segment_records(bench.segments(np.concatenate([small, large]), thickness=0.04))
-    first, found = candidates(x, nodes, segments, reach)
+    first, found = find_candidates(x, nodes, segments, reach)
     box = x[segments["nodes"]]
     for t, row in enumerate(nodes["row"]):
         apart = np.maximum(np.maximum(box.min(axis=1) - x[row], x[row] - box.max(axis=1)), 0.0)

@@ -5,6 +5,7 @@ import itertools
 import numpy as np
 import pytest
 
+from vmharness.explicit.contact.initial_penetration import initial_penetrations
 from vmharness.explicit.model.state import Array
 
 
@@ -59,7 +60,7 @@ def test_a_symmetric_two_way_impact_is_symmetric(scene, bench):
     two = (bench.tracked(np.unique(high)), bench.segments(low))
     contact, touched, n = bench.contact(one, two), False, 36
     for s in bench.march(state, [contact], 1e-4, 2000):
-        touched |= contact.touching() > 0
+        touched |= contact.nodes_in_contact() > 0
         np.testing.assert_allclose(s.x[:n, :2], s.x[n:, :2], atol=1e-12)
         np.testing.assert_allclose(s.x[:n, 2], -s.x[n:, 2], atol=1e-12)
     assert touched
@@ -77,7 +78,7 @@ def test_a_block_on_a_block_of_the_same_size_does_not_slip_off(scene, bench):
     contact = bench.contact(*sides, vdc=20.0)
     forces = [contact, Springs(state.x, own, 500.0)]
     *_, s = bench.march(state, forces, 1e-3, 5000, gravity=(0.0, 0.0, -1.0))
-    assert contact.touching() == 8
+    assert contact.nodes_in_contact() == 8
     # m g over four nodes; of each, two springs of 1000.
     np.testing.assert_allclose(s.x[np.unique(upper)[:4], 2], -0.25 / 2000.0, rtol=0.05)
     np.testing.assert_allclose(s.x[8:, :2], CUBE[:, :2] - 0.5, atol=1e-3)
@@ -100,7 +101,7 @@ def test_a_folding_strip_touches_itself(scene, bench):
         bench.segments(strip, thickness=thickness, two_sided=True),
     )
     contact = bench.contact(sides)
-    assert contact.initial_penetrations(state.x) == []
+    assert initial_penetrations(contact, state.x) == []
     before, legs = bench.kinetic(state), rows[state.x[rows, 0] < -0.2]
     upper = legs[state.x[legs, 2] > 0.0]
     least = np.inf
@@ -155,7 +156,7 @@ def test_initial_penetrations_are_reported_and_kept_as_offsets_if_asked(scene, b
     sides = (bench.tracked(ball), bench.segments(nodes, thickness=2.0 * half, two_sided=two_sided))
     contact = bench.contact(sides, ignore=ignore)
     state = scene.state()
-    ((row, way),) = contact.initial_penetrations(state.x)
+    ((row, way),) = initial_penetrations(contact, state.x)
     assert row == ball[0]
     np.testing.assert_allclose(way, [0.0, 0.0, depth], atol=1e-12)
     if ignore:  # no force but for what goes deeper

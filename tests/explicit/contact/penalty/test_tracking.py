@@ -73,7 +73,7 @@ def test_a_node_that_slides_off_an_edge_is_let_go_at_once(scene, bench):
     held = x <= 1.0 + 0.025 / 2  # MAXPAR in xi of a segment of length 1
     np.testing.assert_allclose(forces[held, 2], 1.0, rtol=1e-9)
     assert not forces[~held].any()
-    assert contact.touching() == 0
+    assert contact.nodes_in_contact() == 0
 
 
 def test_the_edge_of_a_shell_with_thickness_is_round(scene, bench):
@@ -106,7 +106,7 @@ def test_a_node_that_crosses_within_one_step_is_caught(scene, bench, speed, two_
     state = scene.state()
     for _ in bench.march(state, [contact], 1e-3, 1):
         pass
-    assert contact.touching() == 1
+    assert contact.nodes_in_contact() == 1
     assert contact.force[2] > 0.0
 
 
@@ -115,7 +115,7 @@ def test_a_node_that_was_behind_stays_free(scene, bench):
     ball = scene.nodes([1.5, 0.1, -0.001], v=[-2.0, 0.0, 0.0])
     contact = bench.contact((bench.tracked(ball), bench.segments(nodes)))
     for _ in bench.march(scene.state(), [contact], 1e-3, 1000):
-        assert contact.touching() == 0
+        assert contact.nodes_in_contact() == 0
 
 
 @pytest.mark.parametrize("two_sided", [False, True])
@@ -161,7 +161,7 @@ def test_a_corner_of_three_walls_holds_what_runs_into_it(scene, bench):
         np.testing.assert_allclose(contact.force, 1000.0 * depth, rtol=1e-9, atol=1e-9)
         held |= bool((depth > 0.0).all())
     assert held
-    assert contact.touching() == 0
+    assert contact.nodes_in_contact() == 0
     np.testing.assert_allclose(s.v[ball[0]], [1.0, 1.1, 1.2], rtol=1e-4)
 
 

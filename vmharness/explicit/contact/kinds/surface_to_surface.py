@@ -1,16 +1,17 @@
-"""*CONTACT_SURFACE_TO_SURFACE: two surfaces, the nodes of each held against the segments of the other (type 3).
+"""*CONTACT_SURFACE_TO_SURFACE: two surfaces, the nodes of each kept off the segments of the other (type 3).
 
-Two-way: see penalty/contact.py for how the two passes share the force. One-sided, without thickness unless SHLTHK.
+Two-way: see contact/contact.py for how the two passes share the force. One-sided, without thickness unless SHLTHK.
 """
 
 from vmharness.deck import Deck
 from vmharness.deck.keywords.contact import CONTACT_SURFACE_TO_SURFACE
-from vmharness.explicit.contact.build import add_contacts
+from vmharness.explicit.contact.build import Kind, add_contacts
 from vmharness.explicit.model.model import Model
 
 NAME = "surface to surface"
+KIND = Kind(CONTACT_SURFACE_TO_SURFACE, two_way=True)
 
 
 def build(deck: Deck, model: Model) -> None:
     """Add a force for each such contact of the deck."""
-    add_contacts(deck, model, CONTACT_SURFACE_TO_SURFACE, two_way=True)
+    add_contacts(deck, model, KIND)

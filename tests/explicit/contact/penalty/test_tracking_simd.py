@@ -1,15 +1,20 @@
-"""Touches that are followed several at a time are where each of them alone is found."""
+"""Contacts that are tracked several at a time are where each of them alone is found."""
 
 import numpy as np
 import pytest
 
 from vmharness.explicit.contact.geometry import interpolate, normal, shape
-from vmharness.explicit.contact.neighbours import neighbours
-from vmharness.explicit.contact.records import MOST, TOUCH, node_records, segment_records
-from vmharness.explicit.contact.segments import Segments
-from vmharness.explicit.contact.sliding import ROWS, slide
-from vmharness.explicit.contact.tracked import Tracked
-from vmharness.explicit.contact.tracking import follow
+from vmharness.explicit.contact.neighbours import find_neighbours
+from vmharness.explicit.contact.records import (
+    CONTACT_STATE,
+    MAX_CONTACTS,
+    Segments,
+    Tracked,
+    node_records,
+    segment_records,
+)
+from vmharness.explicit.contact.tracking import track
+from vmharness.explicit.contact.tracking_simd import buffers, track_settled
 from vmharness.explicit.kernels.simd import LANES
 
 POINTS = 3 * LANES + 5  # so that the last lanes are not full
@@ -48,35 +53,35 @@ def sliding():
         two_sided=np.zeros(6, bool),
     )
     tracked = Tracked(len(x) - POINTS + np.arange(POINTS), np.ones(POINTS), np.zeros(POINTS), np.ones(POINTS))
-    touches = np.zeros((MOST, POINTS), TOUCH)
-    touches[0]["segment"], touches[0]["side"] = segment, 1.0
-    touches[0]["xi"], touches[0]["eta"] = (place + rng.uniform(-0.05, 0.05, place.shape)).T
+    states = np.zeros((MAX_CONTACTS, POINTS), CONTACT_STATE)
+    states[0]["segment"], states[0]["side"] = segment, 1.0
+    states[0]["xi"], states[0]["eta"] = (place + rng.uniform(-0.05, 0.05, place.shape)).T
     records = node_records(tracked)
     records["count"] = 1
     records["count"][4] = 0
-    return x, records, segment_records(held), touches, neighbours(nodes)
+    return x, records, segment_records(held), states, find_neighbours(nodes)
 
 
-def test_lanes_find_what_each_touch_alone_finds(sliding):
-    x, nodes, segments, touches, (first, beside) = sliding
-    together, before = touches.copy(), touches.copy()
-    slide(x, nodes, segments, together, np.ones(ROWS * LANES), np.zeros((LANES, 2), np.intp))
+def test_lanes_find_what_each_contact_alone_finds(sliding):
+    x, nodes, segments, states, (first, neighbours) = sliding
+    together, before = states.copy(), states.copy()
+    track_settled(segments, x, nodes, together, *buffers())
     settled = nodes["settled"] & (nodes["count"] > 0)
     assert 0.4 * POINTS < settled.sum() < 0.9 * POINTS
     for t in range(POINTS):
         if not settled[t]:
             assert together[:, t].tobytes() == before[:, t].tobytes()
             continue
-        assert follow(x, nodes[t], touches[:, t], 0, segments, first, beside, 1.025)
+        assert track(segments, first, neighbours, 1.025, x, nodes[t], states[:, t], 0)
         for name in ("segment", "side", "xi", "eta", "normal", "gap"):
-            np.testing.assert_allclose(together[0, t][name], touches[0, t][name], rtol=1e-12, atol=1e-12)
+            np.testing.assert_allclose(together[0, t][name], states[0, t][name], rtol=1e-12, atol=1e-12)
 
 
 def test_nodes_that_go_deeper_than_allowed_or_beyond_the_border_are_left(sliding):
-    x, nodes, segments, touches, (first, beside) = sliding
-    slide(x, nodes, segments, touches, np.ones(ROWS * LANES), np.zeros((LANES, 2), np.intp))
+    x, nodes, segments, states, (first, neighbours) = sliding
+    track_settled(segments, x, nodes, states, *buffers())
     held = np.array(
-        [follow(x, nodes[t], touches[:, t], 0, segments, first, beside, 1.025) for t in range(POINTS)]
+        [track(segments, first, neighbours, 1.025, x, nodes[t], states[:, t], 0) for t in range(POINTS)]
     )
     assert not np.any(nodes["settled"] & (nodes["count"] > 0) & ~held)
     assert np.any(~held & (nodes["count"] > 0))
