@@ -39,4 +39,4 @@ def _lump(model: Model, part: Part, volume: Array) -> None:
     """rho volume (ne,) in equal shares to the corners."""
     count = part.nodes.shape[1]
     for corner in part.nodes.T:
-        model.add_mass(corner, np.asarray(part.material.ro * volume / count))
+        model.add_mass(corner, np.asarray(part.density * volume / count))

@@ -82,16 +82,16 @@ def _solids(deck: Deck, model: Model) -> Iterator[Facets]:
 def _of_part(
     part: Part, nodes: Index, penalty: Array, thickness: Array, depth: Array, element: Index, shell: bool
 ) -> Facets:
-    count, rigid = element.size, part.material.keyword.name == "MAT_RIGID"
+    count = element.size
     return Facets(
-        nodes, penalty, thickness, depth, np.full(count, shell), np.full(count, rigid),
+        nodes, penalty, thickness, depth, np.full(count, shell), np.full(count, part.rigid),
         np.full(count, part.pid), part.eid[element],
     )  # fmt: skip
 
 
 def bulk_modulus(part: Part) -> float:
     """K = E / (3 (1 - 2 nu)) of the part's material."""
-    return float(part.material.e / (3.0 * (1.0 - 2.0 * part.material.pr)))
+    return part.moduli.bulk
 
 
 def area(corners: Array) -> Array:

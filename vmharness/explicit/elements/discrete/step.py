@@ -1,13 +1,18 @@
 """One step of the discrete elements of a part; arrays are of its elements (ne), vectors of nodes are (n, 3)."""
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
+from vmharness.explicit.kernels.compiled import to_be_bound
 from vmharness.explicit.kernels.vector import Vector, add, dot, inlined, scale, subtract
-from vmharness.explicit.materials.spring_elastic import spring as law
+from vmharness.explicit.materials import Spring
 from vmharness.explicit.model.state import Array
 
 Index = NDArray[np.intp]
+
+law: Spring = to_be_bound("law")
 
 PIECES = 1000  # of the way from the unloaded state to OFFSET
 
@@ -67,7 +72,7 @@ def step(
     direction: Array,
     guide: Index,
     size: Array,
-    constants: tuple[float, ...],
+    constants: Any,
     limits: tuple[float, float],
     broken: NDArray[np.bool_],
     elongation: Array,
@@ -103,7 +108,7 @@ def step(
 def load(
     offset: Array,
     size: Array,
-    constants: tuple[float, ...],
+    constants: Any,
     clearance: float,
     elongation: Array,
     force: Array,

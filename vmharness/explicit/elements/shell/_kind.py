@@ -31,12 +31,12 @@ class Kind:
 
 
 @cache
-def compiled_step(kind: Kind, law: Callable[..., Any], ahead: bool, isdo: int) -> Callable[..., float]:
-    """The step for one law (`ahead`: see plasticity/ahead.py) and one characteristic length."""
+def compiled_step(kind: Kind, law: Callable[..., Any], long_curve: bool, isdo: int) -> Callable[..., float]:
+    """The step for one law (`long_curve`: see materials/_plasticity/long_curves.py) and one characteristic length."""
     return specialise(
         step.step,
         strain=kind.strain,
-        stress_at_point=with_law(point.stress_at_point, law, ahead),
+        stress_at_point=with_law(point.stress_at_point, law, long_curve),
         hourglass_force=kind.hourglass_force,
         force=specialise(kind.force, length=kind.lengths[isdo]),
     )

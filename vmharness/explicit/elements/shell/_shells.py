@@ -11,7 +11,8 @@ from vmharness.explicit.damping.stiffness.law import damped, memory, plane_stres
 from vmharness.explicit.elements.shell._kind import Kind, compiled_lengths, compiled_step
 from vmharness.explicit.elements.shell._rows import DENSITY_ROOT, ROWS, THICKNESS
 from vmharness.explicit.kernels.simd import LANES, Indices, by_block, by_element
-from vmharness.explicit.materials._plasticity.long_curves import looks_ahead
+from vmharness.explicit.materials import Moduli
+from vmharness.explicit.materials._plasticity.long_curves import has_long_curve
 from vmharness.explicit.model.state import Array, State
 
 STRESSES = ("xx", "yy", "xy", "yz", "zx")
@@ -22,8 +23,8 @@ class Shells:
 
     `nodes (ne, corners)`: rows of the state's arrays; `x (n, 3)`: initial coordinates; `thickness (ne,)`; `law` and its
     `constants`, with `history` variables per point: see materials/elastic.py; `channels`: names of some of these;
-    `stiffness`: E and nu for the stable step; `nip`: Gauss points through the thickness, 1 to 10; `shrf`: shear factor
-    kappa; `thinning`: the thickness follows the strain through it; `moduli()` (ne, m) of hourglass control, with
+    `moduli`: for the stable step; `nip`: Gauss points through the thickness, 1 to 10; `shrf`: shear factor
+    kappa; `thinning`: the thickness follows the strain through it; `hourglass_moduli()` (ne, m), with
     `forces` numbers in an element, and whether `viscous`. Consistent units.
     Raises ValueError for a shape or an option that the element does not know.
     """
@@ -40,7 +41,7 @@ class Shells:
         density: float,
         law: Callable[..., Any],
         constants: tuple[Any, ...],
-        stiffness: tuple[float, float],
+        moduli: Moduli,
         nip: int = 2,
         shrf: float = 1.0,
         isdo: int = 0,
@@ -49,14 +50,14 @@ class Shells:
         channels: Mapping[str, int] | None = None,
         eid: NDArray[np.int64] | None = None,
         pid: int | None = None,
-        moduli: Callable[[], Array] | None = None,
+        hourglass_moduli: Callable[[], Array] | None = None,
         viscous: bool = False,
         forces: int = 0,
     ) -> None:
         _check(shape, nodes, x, thickness, nip, isdo)
         elements = len(nodes)
         self.nodes = nodes
-        self.mass, self.inertia = shape.nodal_mass(x[nodes], thickness, density, stiffness[1], shrf)
+        self.mass, self.inertia = shape.nodal_mass(x[nodes], thickness, density, moduli.nu, shrf)
 
         self.name, self.pid = name, pid
         self.eid = np.arange(1, elements + 1) if eid is None else eid
@@ -64,12 +65,13 @@ class Shells:
         self._channels = dict(channels or {})
         self._shrf, self._constants = float(shrf), constants
         self._viscous, self._thinning = viscous, thinning
-        self._wave_speed = wave_speed(stiffness, density, isdo)
+        self._wave_speed = wave_speed(moduli, density, isdo)
         self._length = np.inf
         self._points = np.stack(np.polynomial.legendre.leggauss(nip), axis=1)
         self._nodes = by_block(nodes.astype(np.intp))
-        unscaled, none = np.ones(elements), np.zeros((elements, 0))
-        self._section = by_block(np.column_stack([thickness, unscaled, moduli() if moduli else none]))
+        unscaled = np.ones(elements)
+        resistance = hourglass_moduli() if hourglass_moduli else np.zeros((elements, 0))
+        self._section = by_block(np.column_stack([thickness, unscaled, resistance]))
         self._stress = by_block(np.zeros((elements, nip, 5)))
         self._hourglass = by_block(np.zeros((elements, forces)))
         self._history = by_block(np.zeros((elements, nip, history)))
@@ -77,7 +79,7 @@ class Shells:
         self._energy = np.zeros(2)
         self.energy = {"internal": self._energy[:1], "hourglass": self._energy[1:]}
         self._shape, self._law, self._isdo = shape, law, isdo
-        self._step = compiled_step(shape, law, looks_ahead(constants), isdo)
+        self._step = compiled_step(shape, law, has_long_curve(constants), isdo)
         self._lengths = compiled_lengths(shape, isdo)
 
     def add(self, state: State) -> None:
@@ -124,9 +126,8 @@ class Shells:
         """Add to the stress of the law `beta` (ne,) times its rate; to be asked for before the first step."""
         history = self._history.shape[-1] // LANES
         self._history = by_block(memory(beta, self.nip, history, len(STRESSES)))
-        law, ahead = damped(plane_stress, self._law), looks_ahead(self._constants)
-        self._constants = (*self._constants, history)
-        self._step = compiled_step(self._shape, law, ahead, self._isdo)
+        law = damped(plane_stress, self._law, history)
+        self._step = compiled_step(self._shape, law, has_long_curve(self._constants), self._isdo)
 
     @property
     def stress(self) -> Array:
@@ -154,15 +155,15 @@ class Shells:
         return lambda: values[place]
 
 
-def wave_speed(stiffness: tuple[float, float], density: float, isdo: int) -> float:
-    """Speed c that goes with the length of ISDO; `stiffness`: E and nu; consistent units.
+def wave_speed(moduli: Moduli, density: float, isdo: int) -> float:
+    """Speed of sound c that goes with the length of ISDO; consistent units.
 
         ISDO 0, 1   c = sqrt(E / (rho (1 - nu^2)))        ISDO 2   c = sqrt(E / rho)
 
-    >>> round(wave_speed((210.0, 0.3), 7.8e-6, 0), 2)
+    >>> round(wave_speed(Moduli(210.0, 0.3), 7.8e-6, 0), 2)
     5439.28
     """
-    E, nu = stiffness
+    E, nu = moduli
     return sqrt(E / density) if isdo == 2 else sqrt(E / (density * (1 - nu * nu)))
 
 

@@ -8,20 +8,23 @@ block is filled up with copies of the last element, which add neither force nor 
 The stages `strain`, `hourglass_force` and `force` are those of the kind of shell; `stress_at_point` has the law.
 """
 
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
 from vmharness.explicit.elements.shell._rows import HOURGLASS_WORK, LENGTH, MOMENT, OMEGA, WORK, F, V, X
 from vmharness.explicit.elements.shell._thickness import thin
+from vmharness.explicit.kernels.compiled import to_be_bound
 from vmharness.explicit.kernels.simd import LANES, Indices, gather, scatter
 from vmharness.explicit.model.state import Array
 
-if TYPE_CHECKING:  # not these, but what shell/kind.py binds
-    from vmharness.explicit.elements.shell._point import stress_at_point
-    from vmharness.explicit.elements.shell.belytschko_tsay.lanes import corners
-    from vmharness.explicit.elements.shell.belytschko_tsay.length import by_side as length
-    from vmharness.explicit.elements.shell.belytschko_tsay.step import force, hourglass_force, strain
+# The stages of a formulation, and the material's law at a point: see _kind.py.
+strain = to_be_bound("strain")
+stress_at_point = to_be_bound("stress_at_point")
+hourglass_force = to_be_bound("hourglass_force")
+force = to_be_bound("force")
+corners = to_be_bound("corners")
+length = to_be_bound("length")
 
 
 def step(
@@ -35,7 +38,7 @@ def step(
     points: Array,
     shrf: float,
     thinning: bool,
-    constants: tuple[float, ...],
+    constants: Any,
     stress: Array,
     history: Array,
     viscous: bool,

@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from vmharness.explicit.kernels.compiled import interpreted
 from vmharness.explicit.kernels.rotation import rotation_matrix
 from vmharness.explicit.model.state import Array
 
@@ -18,7 +19,9 @@ def stress_in_space(stress: Array, turn: Array) -> Array:
     array([0., 5., 0., 0., 0., 0.])
     """
     s, a, b, c = np.moveaxis(turn, -1, 0)
-    R = np.moveaxis(np.array(rotation_matrix.py_func(s, (a, b, c))), (0, 1), (-1, -2))  # columns are the axes
+    R = np.moveaxis(
+        np.array(interpreted(rotation_matrix)(s, (a, b, c))), (0, 1), (-1, -2)
+    )  # columns are the axes
     S = np.empty((*stress.shape[:-1], 3, 3))
     for k, (i, j) in enumerate(PLACES):
         S[..., i, j] = S[..., j, i] = stress[..., k]

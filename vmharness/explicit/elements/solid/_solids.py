@@ -11,19 +11,18 @@ from vmharness.explicit.elements.solid._channel import CHANNELS, COMPONENTS, str
 from vmharness.explicit.elements.solid._gradient import measures
 from vmharness.explicit.elements.solid._rows import KEPT, MASS, MODULUS, ROWS, TURN
 from vmharness.explicit.kernels.simd import LANES, Indices, by_block, by_element
-from vmharness.explicit.materials._plasticity.long_curves import looks_ahead
+from vmharness.explicit.materials._plasticity.long_curves import has_long_curve
 from vmharness.explicit.model.state import Array, State
 
 
 class Hexahedra:
     """Solids of one part: a force with the energies "internal" and "hourglass".
 
-    `compiled`: what makes the compiled step of the formulation for a `law` and whether it looks ahead; `nodes (ne, 8)`:
-    rows of the state's arrays; `x (n, 3)`: initial coordinates; `density`; `modulus`: rho c^2 =
-    E (1 - nu) / ((1 + nu) (1 - 2 nu)); `constants` of the law with `history` variables per point, see
-    materials/elastic.py, `channels`: names of some of these; `points` in an element; `viscous`: Q1 and Q2 of bulk
-    viscosity; `resistance (ne,)`: moduli of hourglass control and `hourglass`, whether viscous and whether projected.
-    Consistent units.
+    `compiled(law, long_curve)`: the step of the formulation for a `law`; `nodes (ne, 8)`: rows of the state's arrays;
+    `x (n, 3)`: initial coordinates; `density`; `modulus`: rho c^2 of dilatational waves; `constants` of the law with
+    `history` variables per point, see materials/_law.py, `channels`: names of some of these; `points` in an element;
+    `viscous`: Q1 and Q2 of bulk viscosity; `resistance (ne,)`: moduli of hourglass control and `hourglass`, whether
+    viscous and whether projected. Consistent units.
     """
 
     kind = "solid"
@@ -52,7 +51,7 @@ class Hexahedra:
         self.name, self.pid = name, pid
         self.eid = np.arange(1, elements + 1) if eid is None else eid
         self.elements, self.points = elements, points
-        self._compiled, self._law, self._step = compiled, law, compiled(law, looks_ahead(constants))
+        self._compiled, self._law, self._step = compiled, law, compiled(law, has_long_curve(constants))
         self._modulus, self._constants = modulus, constants
         self._viscous, self._hourglass = viscous, hourglass
         self._stable = np.inf
@@ -113,8 +112,8 @@ class Hexahedra:
         """Add to the stress of the law `beta` (ne,) times its rate; to be asked for before the first step."""
         history = self._history.shape[-1] // LANES
         self._history = by_block(memory(beta, self.points, history, len(COMPONENTS)))
-        self._step = self._compiled(damped(solid, self._law), looks_ahead(self._constants))
-        self._constants = (*self._constants, history)
+        law = damped(solid, self._law, history)
+        self._step = self._compiled(law, has_long_curve(self._constants))
 
     def _overshoot(self) -> float:
         """The longest step at which a viscous hourglass force does not reverse the rate: 2 m q / Q."""

@@ -9,8 +9,8 @@ the hinges: none or six, those that are too many do nothing.
 
 More points: a table that is searched, from cells of equal width on. It has a row for each segment: such a sum again, of
 the segment's line and the next two hinges, and behind it the place up to which that is the function, the third hinge.
-The last form, for the elements of a block, has for each the row that it needs, and no search (ahead.py). The table has
-room for these rows, so that threads must not share a curve.
+The last form, for the elements of a block, has for each the row that it needs, and no search (long_curves.py). The
+table has room for these rows, so that threads must not share a curve.
 """
 
 from typing import TypeAlias
@@ -55,6 +55,12 @@ def curve(x: Array, y: Array) -> Curve:
     hinges = np.zeros((HINGES, 2))
     hinges[:count] = np.column_stack([x[1:-1], np.diff(slopes)])
     return (*start, *hinges.ravel().tolist()), None, None
+
+
+def is_long(curve: Curve) -> bool:
+    """Whether the function has a table."""
+    _, table, _ = curve
+    return table is not None
 
 
 def table(x: Array, y: Array, slopes: Array) -> Table:

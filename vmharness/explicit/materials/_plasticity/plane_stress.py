@@ -16,9 +16,9 @@ comes up to the root and never passes it. Four steps give round-off at thirty ti
 """
 
 from vmharness.explicit.kernels.vector import inlined
-from vmharness.explicit.materials._plasticity.modulus import modulus
+from vmharness.explicit.materials._plasticity.constants import Plastic, modulus
 from vmharness.explicit.materials._plasticity.piecewise_linear import Curve, of_lane, value_and_slope
-from vmharness.explicit.materials._plasticity.rate import Rate, Viscous, factor, viscous_part
+from vmharness.explicit.materials._plasticity.rate import Viscous, factor, viscous_part
 from vmharness.explicit.materials._plasticity.viscous import viscous_multiplier
 from vmharness.explicit.model.state import Array
 
@@ -85,7 +85,7 @@ def with_rate(
 
 @inlined
 def plane_stress(
-    constants: tuple[float, float, float | None, Curve, Rate | None],
+    constants: Plastic,
     dt: float,
     dexx: float,
     deyy: float,
@@ -105,8 +105,8 @@ def plane_stress(
 
     de_zz = -nu/E (change of s_xx + s_yy) - lambda eta_+ / 3; the rate takes it as -(de_xx + de_yy), as in flow.
     """
-    E, nu, C, curve, rate = constants
-    Y = of_lane(curve, at, stride)
+    E, nu, C, rate = constants.E, constants.nu, constants.C, constants.rate
+    Y = of_lane(constants.Y, at, stride)
     G, bulk, p = E / (2 * (1 + nu)), E / (1 - nu), history[at]
     shears = dexy * dexy + deyz * deyz + dezx * dezx
     r = factor(rate, 4 / 3 * (dexx * dexx + deyy * deyy + dexx * deyy) + shears / 3, dt)

@@ -6,7 +6,6 @@ from vmharness.explicit.elements.beam._parts import beam_parts, lengths, orienta
 from vmharness.explicit.elements.beam.belytschko_schwer.inertia import lumped, stable_step
 from vmharness.explicit.elements.beam.belytschko_schwer.part import BelytschkoSchwer
 from vmharness.explicit.elements.beam.belytschko_schwer.stiffness import CrossSection, stiffness
-from vmharness.explicit.materials import elastic
 from vmharness.explicit.model.model import Model
 
 ELFORM = 2
@@ -19,8 +18,8 @@ def build(deck: Deck, model: Model) -> None:
             continue
         if part.material.keyword is not MAT_ELASTIC:
             raise part.part.error("mid", f"beams of resultants are elastic: *{MAT_ELASTIC.name} is supported")
-        e, nu = elastic.constants(deck, part.material)
-        length, density, card = lengths(part, model.x0), part.material.ro, part.section
+        e, nu = part.moduli
+        length, density, card = lengths(part, model.x0), part.density, part.section
         section = CrossSection(card.a, card.iss, card.itt, card.j, card.sa)
         mass, inertia = lumped(length, section, density)
         for end in part.nodes.T:

@@ -22,12 +22,13 @@ from vmharness.explicit.elements.shell._rows import (
 )
 from vmharness.explicit.elements.shell.belytschko_tsay.forces import nodal_forces
 from vmharness.explicit.elements.shell.belytschko_tsay.lanes import corners, put_corners
-from vmharness.explicit.elements.shell.belytschko_tsay.length import by_side as length
 from vmharness.explicit.elements.shell.belytschko_tsay.rates import increments
-from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.kernels.compiled import kernel, to_be_bound
 from vmharness.explicit.kernels.simd import LANES, put, vector
 from vmharness.explicit.kernels.vector import add, dot, scale
 from vmharness.explicit.model.state import Array
+
+length = to_be_bound("length")  # the characteristic length by ISDO: see length.py
 
 
 @kernel

@@ -15,12 +15,13 @@ from vmharness.explicit.elements.shell._rows import (
 )
 from vmharness.explicit.elements.shell.c0_triangle.forces import nodal_forces
 from vmharness.explicit.elements.shell.c0_triangle.lanes import put_triangle, triangle
-from vmharness.explicit.elements.shell.c0_triangle.length import smallest_height as length
 from vmharness.explicit.elements.shell.c0_triangle.rates import increments
-from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.kernels.compiled import kernel, to_be_bound
 from vmharness.explicit.kernels.simd import LANES, vector
 from vmharness.explicit.kernels.vector import add, scale
 from vmharness.explicit.model.state import Array
+
+length = to_be_bound("length")  # the characteristic length by ISDO: see length.py
 
 
 @kernel

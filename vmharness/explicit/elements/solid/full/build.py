@@ -25,6 +25,6 @@ def build(deck: Deck, model: Model) -> None:
 
 
 @cache
-def compiled(law: Callable[..., Any], ahead: bool) -> Callable[..., float]:
-    """The step for one law; `ahead`: see plasticity/ahead.py."""
-    return specialise(step.step, stress_at_point=with_law(stress.stress_at_point, law, ahead))
+def compiled(law: Callable[..., Any], long_curve: bool) -> Callable[..., float]:
+    """The step for one law; `long_curve`: see materials/_plasticity/long_curves.py."""
+    return specialise(step.step, stress_at_point=with_law(stress.stress_at_point, law, long_curve))

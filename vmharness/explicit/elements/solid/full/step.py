@@ -4,6 +4,8 @@ Arrays per block of LANES elements as those of the one-point solid (hexa_one_poi
 rows)` and `history (blocks, 8, rows)`; of what an element keeps, the hourglass forces stay zero.
 """
 
+from typing import Any
+
 import numpy as np
 
 from vmharness.explicit.elements.solid._gradient import at, mean, velocity_gradient
@@ -28,13 +30,14 @@ from vmharness.explicit.elements.solid._rows import (
     seven,
     tensor,
 )
-from vmharness.explicit.elements.solid._stress import stress_at_point
 from vmharness.explicit.elements.solid._viscosity import stable_step, viscosity
-from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.kernels.compiled import kernel, to_be_bound
 from vmharness.explicit.kernels.rotation import matvec, strain_in_frame, stress_in_space
 from vmharness.explicit.kernels.simd import LANES, Indices, gather, put, scatter, vector
 from vmharness.explicit.kernels.vector import add, scale, subtract
 from vmharness.explicit.model.state import Array
+
+stress_at_point = to_be_bound("stress_at_point")
 
 POINTS = 8
 G = 1 / 3**0.5  # Gauss's place in -1..1; all weights are 1
@@ -114,7 +117,7 @@ def step(
     modulus: float,
     viscous: tuple[float, float],
     hourglass: tuple[bool, bool],
-    constants: tuple[float, ...],
+    constants: Any,
     stress: Array,
     history: Array,
     f: Array,

@@ -8,7 +8,7 @@ from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.control.hourglass import CONTROL_HOURGLASS
 from vmharness.deck.keywords.hourglass import HOURGLASS
 from vmharness.explicit.elements.solid import _stress as stress
-from vmharness.explicit.elements.solid._build import add_part, wave_modulus
+from vmharness.explicit.elements.solid._build import add_part
 from vmharness.explicit.elements.solid._parts import solid_parts
 from vmharness.explicit.elements.solid.one_point import step
 from vmharness.explicit.elements.solid.one_point.hourglass import Hourglass, moduli
@@ -26,21 +26,21 @@ def build(deck: Deck, model: Model) -> None:
         if part.rigid:
             continue
         control = _hourglass(deck, part.part)
-        modulus = wave_modulus(part.material.e, part.material.pr)
+        modulus = part.moduli.longitudinal
         add_part(
             deck,
             model,
             part,
             compiled,
-            resistance=moduli(model.x0[part.nodes], part.material.ro, modulus, control),
+            resistance=moduli(model.x0[part.nodes], part.density, modulus, control),
             hourglass=(control.viscous, control.projected),
         )
 
 
 @cache
-def compiled(law: Callable[..., Any], ahead: bool) -> Callable[..., float]:
-    """The step for one law; `ahead`: see plasticity/ahead.py."""
-    return specialise(step.step, stress_at_point=with_law(stress.stress_at_point, law, ahead))
+def compiled(law: Callable[..., Any], long_curve: bool) -> Callable[..., float]:
+    """The step for one law; `long_curve`: see materials/_plasticity/long_curves.py."""
+    return specialise(step.step, stress_at_point=with_law(stress.stress_at_point, law, long_curve))
 
 
 def _hourglass(deck: Deck, part: Entry) -> Hourglass:

@@ -6,6 +6,8 @@ rows)`, mass and hourglass modulus; `kept (blocks, 17 rows)`, frame, bulk viscos
 force nor energy.
 """
 
+from typing import Any
+
 import numpy as np
 
 from vmharness.explicit.elements.solid._gradient import mean
@@ -26,14 +28,15 @@ from vmharness.explicit.elements.solid._rows import (
     tensor,
 )
 from vmharness.explicit.elements.solid._strain import mean_strain
-from vmharness.explicit.elements.solid._stress import stress_at_point
 from vmharness.explicit.elements.solid._viscosity import stable_step, viscosity
 from vmharness.explicit.elements.solid.one_point.hourglass import forces, rates
-from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.kernels.compiled import kernel, to_be_bound
 from vmharness.explicit.kernels.rotation import matvec, stress_in_space
 from vmharness.explicit.kernels.simd import LANES, Indices, gather, scatter, vector
 from vmharness.explicit.kernels.vector import Vector, add, inlined, scale, subtract
 from vmharness.explicit.model.state import Array
+
+stress_at_point = to_be_bound("stress_at_point")
 
 
 @kernel
@@ -92,7 +95,7 @@ def step(
     modulus: float,
     viscous: tuple[float, float],
     hourglass: tuple[bool, bool],
-    constants: tuple[float, ...],
+    constants: Any,
     stress: Array,
     history: Array,
     f: Array,
