@@ -112,8 +112,8 @@ FAULTS = (
         text="The stress of a solid does not turn with the material",
         kind="physics",
         module="vmharness.explicit.elements.solid._motion",
-        sound="t = half(scale(0.25 * dt, spin))",
-        faulty="t = half(scale(0.0 * dt, spin))",
+        sound="t = half_rotation(scale(0.25 * dt, spin))",
+        faulty="t = half_rotation(scale(0.0 * dt, spin))",
         keywords=("ELEMENT_SOLID",),
     ),
     SolverFault(
