@@ -6,7 +6,7 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Index, State
 
 
 class Force(Protocol):
@@ -48,7 +48,7 @@ class Scalable(Elements, Protocol):
     All nodes of an element take the same share of its mass and rotary inertia.
     """
 
-    nodes: NDArray[np.intp]  # (ne, corners) rows of the state's arrays
+    nodes: Index  # (ne, corners) rows of the state's arrays
     mass: Array  # (ne,) that each node takes, at the material's density
     inertia: Array  # (ne,)
 

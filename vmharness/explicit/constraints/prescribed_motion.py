@@ -15,7 +15,6 @@ which is 1/2 (r_n + r_{n+1}) dt v_{n+1/2} to second order, and balances at impul
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.boundary.prescribed_motion import (
@@ -28,9 +27,7 @@ from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.dof import place
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import node_set
-from vmharness.explicit.model.state import Array, State
-
-Index = NDArray[np.intp]
+from vmharness.explicit.model.state import Array, Index, State
 
 KEYWORDS = (BOUNDARY_PRESCRIBED_MOTION_NODE, BOUNDARY_PRESCRIBED_MOTION_SET)
 

@@ -7,7 +7,6 @@ what it numbers: 1 a part set, 2 a part, 3 a node set. Where two cards meet the 
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.initial.velocity import INITIAL_VELOCITY, INITIAL_VELOCITY_NODE
@@ -15,9 +14,7 @@ from vmharness.deck.keywords.initial.velocity_generation import INITIAL_VELOCITY
 from vmharness.deck.keywords.part import PART
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import node_set, nodes_of_parts, part_set
-from vmharness.explicit.model.state import Array
-
-Index = NDArray[np.intp]
+from vmharness.explicit.model.state import Array, Index
 
 PART_SET, NODE_SET = 1, 3  # STYP
 

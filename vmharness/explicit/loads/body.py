@@ -11,7 +11,6 @@ part of it: it is for a body at rest in the turning base, and a curve of omega t
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.deck import Deck
 from vmharness.deck.keywords.load.body import (
@@ -28,11 +27,9 @@ from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import masses_of_parts, nodes_of_parts, part_set
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Index, State
 
 NAME = "body load"
-
-Index = NDArray[np.intp]
 
 
 def build(deck: Deck, model: Model) -> None:

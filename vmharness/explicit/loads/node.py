@@ -6,7 +6,6 @@ Every node of a set takes the whole of it. Directions are those of the global ax
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.load.node import LOAD_NODE_POINT, LOAD_NODE_SET
@@ -15,11 +14,9 @@ from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.dof import place
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import node_set
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Index, State
 
 NAME = "nodal load"
-
-Index = NDArray[np.intp]
 
 
 def build(deck: Deck, model: Model) -> None:

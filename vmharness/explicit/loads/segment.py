@@ -13,7 +13,6 @@ A triangle repeats its third node: each of the three takes a third of its area v
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.load.segment import CORNERS, LOAD_SEGMENT, LOAD_SEGMENT_SET
@@ -22,11 +21,9 @@ from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.vector import Vector, add, cross, scale, subtract
 from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Index, State
 
 NAME = "pressure on segments"
-
-Index = NDArray[np.intp]
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -12,8 +12,7 @@ from vmharness.deck.keywords.part import PART
 from vmharness.explicit.kernels.threads import shares
 from vmharness.explicit.materials import Moduli, continuum_law, material_of
 from vmharness.explicit.model.model import Model
-
-Index = NDArray[np.intp]
+from vmharness.explicit.model.state import Index
 
 
 @dataclass(frozen=True)
@@ -26,8 +25,8 @@ class Part:
     material: Entry
     eid: NDArray[np.int64]  # (ne,)
     nodes: Index  # (ne, corners) rows of the state's arrays; -1 is the ground
-    table: NDArray[np.intp]  # (ne,) which of `tables` has the element
-    row: NDArray[np.intp]  # (ne,) its row there
+    table: Index  # (ne,) which of `tables` has the element
+    row: Index  # (ne,) its row there
     tables: Sequence[Entry]
 
     @property

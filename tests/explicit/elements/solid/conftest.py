@@ -5,10 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from vmharness.explicit.elements.solid import Hexahedra, measures
 from vmharness.explicit.elements.solid import full as hexa_full
 from vmharness.explicit.elements.solid import one_point as hexa_one_point
-from vmharness.explicit.elements.solid._gradient import measures
-from vmharness.explicit.elements.solid._solids import Hexahedra
 from vmharness.explicit.elements.solid.one_point import Hourglass
 from vmharness.explicit.materials import Moduli
 from vmharness.explicit.materials.elastic import Elastic, solid
@@ -45,11 +44,11 @@ def solids(
     modulus = Moduli(e, nu).longitudinal
     options = {"viscous": viscous, "constants": Elastic(e, nu)}
     if elform == 2:
-        return Hexahedra("solids", hexa_full.compiled, solid, nodes, x, rho, modulus, points=8, **options)
+        return Hexahedra("solids", hexa_full.step, solid, nodes, x, rho, modulus, points=8, **options)
     control = control or Hourglass()
     return Hexahedra(
         "solids",
-        hexa_one_point.compiled,
+        hexa_one_point.step,
         solid,
         nodes,
         x,

@@ -5,8 +5,8 @@ import pytest
 
 from vmharness.explicit.build import build
 from vmharness.explicit.elements.shell.belytschko_tsay import BelytschkoTsay
+from vmharness.explicit.elements.solid import Hexahedra
 from vmharness.explicit.elements.solid import one_point as hexa_one_point
-from vmharness.explicit.elements.solid._solids import Hexahedra
 from vmharness.explicit.loop import steps
 from vmharness.explicit.materials import Moduli, plastic_kinematic
 from vmharness.explicit.materials._plasticity.constants import Plastic
@@ -123,9 +123,7 @@ def test_back_stress_turns_with_a_solid():
 
     def block():
         law = plastic_kinematic.solid
-        return Hexahedra(
-            "", hexa_one_point.compiled, law, np.arange(8)[None], x, 1.0, E, history=7, **MATERIAL
-        )
+        return Hexahedra("", hexa_one_point.step, law, np.arange(8)[None], x, 1.0, E, history=7, **MATERIAL)
 
     still, turned = turning(block(), x, 0.0), turning(block(), x, 2 * np.pi / 3)
     assert np.abs(still.history[0, 0, 1:]).max() > 0.05

@@ -29,12 +29,12 @@ from vmharness.deck import Deck
 from vmharness.explicit.damping.stiffness.law import damped, memory, uniaxial
 from vmharness.explicit.elements.beam._parts import beam_parts, lengths
 from vmharness.explicit.kernels.compiled import specialise, to_be_bound
-from vmharness.explicit.kernels.simd import LANES, Indices, by_block, by_element, put, vector
+from vmharness.explicit.kernels.simd import LANES, by_block, by_element, put, vector
 from vmharness.explicit.kernels.vector import add, dot, scale, subtract
 from vmharness.explicit.materials import Uniaxial, law_of
 from vmharness.explicit.materials._plasticity.long_curves import has_long_curve, with_law
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Index, State
 
 NAME = "truss"
 
@@ -87,7 +87,7 @@ class Truss:
     def __init__(
         self,
         name: str,
-        nodes: Indices,
+        nodes: Index,
         length: Array,
         area: float,
         density: float,
@@ -198,7 +198,7 @@ def step(
     x: Array,
     v: Array,
     dt: float,
-    nodes: Indices,
+    nodes: Index,
     elements: int,
     area: float,
     length: Array,

@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 from vmharness.explicit.elements.discrete import step
 from vmharness.explicit.elements.discrete.limit import stable_step
 from vmharness.explicit.kernels.compiled import specialise
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Index, State
 
 ALONG, ABOUT = 0, 1  # DRO
 
 # Unit vectors (ne, 3), zero where there is none; and (ne, 3): two nodes or -1 for the direction between them, and
 # whether the axis is the projection on the plane normal to the one or the other.
-Orientation = tuple[Array, NDArray[np.intp]]
+Orientation = tuple[Array, Index]
 
 
 class Discrete:
@@ -35,7 +35,7 @@ class Discrete:
         name: str,
         pid: int,
         eid: NDArray[np.int64],
-        nodes: NDArray[np.intp],
+        nodes: Index,
         orientation: Orientation,
         limits: tuple[float, float],
         size: Array,

@@ -8,21 +8,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.explicit.damping.stiffness.law import damped, memory, plane_stress
-from vmharness.explicit.elements.shell._kind import Kind, compiled_lengths, compiled_step
+from vmharness.explicit.elements.shell._formulation import Formulation, compiled_lengths, compiled_step
+from vmharness.explicit.elements.shell._parts import area
 from vmharness.explicit.elements.shell._rows import DENSITY_ROOT, ROWS, THICKNESS
-from vmharness.explicit.kernels.simd import LANES, Indices, by_block, by_element
+from vmharness.explicit.kernels.simd import LANES, by_block, by_element
 from vmharness.explicit.materials import Moduli
 from vmharness.explicit.materials._plasticity.long_curves import has_long_curve
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Index, State
 
 STRESSES = ("xx", "yy", "xy", "yz", "zx")
 
 
 class Shells:
-    """Shells of one part and kind: a force with the energies "internal" and "hourglass".
+    """Shells of one part and one formulation: a force with the energies "internal" and "hourglass".
 
     `nodes (ne, corners)`: rows of the state's arrays; `x (n, 3)`: initial coordinates; `thickness (ne,)`; `law` and its
-    `constants`, with `history` variables per point: see materials/elastic.py; `channels`: names of some of these;
+    `constants`, with `history` variables per point: see materials/_law.py; `channels`: names of some of these;
     `moduli`: for the stable step; `nip`: Gauss points through the thickness, 1 to 10; `shrf`: shear factor
     kappa; `thinning`: the thickness follows the strain through it; `hourglass_moduli()` (ne, m), with
     `forces` numbers in an element, and whether `viscous`. Consistent units.
@@ -33,9 +34,9 @@ class Shells:
 
     def __init__(
         self,
-        shape: Kind,
+        formulation: Formulation,
         name: str,
-        nodes: Indices,
+        nodes: Index,
         x: Array,
         thickness: Array,
         density: float,
@@ -54,10 +55,10 @@ class Shells:
         viscous: bool = False,
         forces: int = 0,
     ) -> None:
-        _check(shape, nodes, x, thickness, nip, isdo)
+        _check(formulation, nodes, x, thickness, nip, isdo)
         elements = len(nodes)
         self.nodes = nodes
-        self.mass, self.inertia = shape.nodal_mass(x[nodes], thickness, density, moduli.nu, shrf)
+        self.mass, self.inertia = formulation.nodal_mass(x[nodes], thickness, density, moduli.nu, shrf)
 
         self.name, self.pid = name, pid
         self.eid = np.arange(1, elements + 1) if eid is None else eid
@@ -78,9 +79,9 @@ class Shells:
         self._work = np.zeros(ROWS * LANES)
         self._energy = np.zeros(2)
         self.energy = {"internal": self._energy[:1], "hourglass": self._energy[1:]}
-        self._shape, self._law, self._isdo = shape, law, isdo
-        self._step = compiled_step(shape, law, has_long_curve(constants), isdo)
-        self._lengths = compiled_lengths(shape, isdo)
+        self._formulation, self._law, self._isdo = formulation, law, isdo
+        self._step = compiled_step(formulation, law, has_long_curve(constants), isdo)
+        self._lengths = compiled_lengths(formulation, isdo)
 
     def add(self, state: State) -> None:
         """Add forces and moments at t_n, and the work of the step that led there."""
@@ -127,7 +128,7 @@ class Shells:
         history = self._history.shape[-1] // LANES
         self._history = by_block(memory(beta, self.nip, history, len(STRESSES)))
         law = damped(plane_stress, self._law, history)
-        self._step = compiled_step(self._shape, law, has_long_curve(self._constants), self._isdo)
+        self._step = compiled_step(self._formulation, law, has_long_curve(self._constants), self._isdo)
 
     @property
     def stress(self) -> Array:
@@ -167,18 +168,18 @@ def wave_speed(moduli: Moduli, density: float, isdo: int) -> float:
     return sqrt(E / density) if isdo == 2 else sqrt(E / (density * (1 - nu * nu)))
 
 
-def _check(shape: Kind, nodes: Indices, x: Array, thickness: Array, nip: int, isdo: int) -> None:
+def _check(formulation: Formulation, nodes: Index, x: Array, thickness: Array, nip: int, isdo: int) -> None:
     """Refuse what the element cannot do."""
     if not 1 <= nip <= 10:
         raise ValueError(f"NIP = {nip}: 1 to 10 points through the thickness are supported")
-    if isdo not in range(len(shape.lengths)):
+    if isdo not in range(len(formulation.lengths)):
         raise ValueError(f"ISDO = {isdo}: 0, 1 and 2 are supported")
     if not len(nodes):
         raise ValueError("no shells")
     sorted_nodes = np.sort(nodes, axis=1)
     for wrong, what in (
         (np.any(sorted_nodes[:, 1:] == sorted_nodes[:, :-1], axis=1), "has a node twice"),
-        (~(shape.area(x[nodes]) > 0), "has no area"),
+        (~(area(x[nodes]) > 0), "has no area"),
         (~(thickness > 0), "has no thickness"),
     ):
         if np.any(wrong):

@@ -15,8 +15,8 @@ import numpy as np
 from vmharness.explicit.elements.shell._rows import HOURGLASS_WORK, LENGTH, MOMENT, OMEGA, WORK, F, V, X
 from vmharness.explicit.elements.shell._thickness import thin
 from vmharness.explicit.kernels.compiled import to_be_bound
-from vmharness.explicit.kernels.simd import LANES, Indices, gather, scatter
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.kernels.simd import LANES, gather, scatter
+from vmharness.explicit.model.state import Array, Index
 
 # The stages of a formulation, and the material's law at a point: see _kind.py.
 strain = to_be_bound("strain")
@@ -32,7 +32,7 @@ def step(
     v: Array,
     omega: Array,
     dt: float,
-    nodes: Indices,
+    nodes: Index,
     elements: int,
     section: Array,
     points: Array,
@@ -81,7 +81,7 @@ def step(
     return shortest
 
 
-def lengths(x: Array, nodes: Indices, work: Array, out: Array) -> None:
+def lengths(x: Array, nodes: Index, work: Array, out: Array) -> None:
     """L_s (ne,) of each element; `x (n, 3)`, `nodes (blocks, corners rows)`."""
     for block in range(len(nodes)):
         gather(x, nodes[block], work, X)

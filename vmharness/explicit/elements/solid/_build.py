@@ -11,12 +11,12 @@ from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part
 
 
-def add_part(deck: Deck, model: Model, part: Part, compiled: Callable[..., Any], **formulation: Any) -> None:
-    """Add the force of a part and its lumped mass; `compiled` makes the compiled step for a law."""
+def add_part(deck: Deck, model: Model, part: Part, step: Callable[..., float], **formulation: Any) -> None:
+    """Add the force of a part and its lumped mass; `step` is that of its formulation."""
     law = law_of(part.material, "solid", part.part)
     block = Hexahedra(
         name=f"solids of part {part.pid}",
-        compiled=compiled,
+        step=step,
         law=law.solid,
         nodes=part.nodes,
         x=model.x0,

@@ -23,7 +23,7 @@ FORCES, TENSION = (
 ROWS = 120
 
 # What an element keeps: its frame, its bulk viscosity, the hourglass forces of patterns 4 to 7 in the frame.
-TURN, VISCOSITY, RESISTANCE = 0, 4, 5
+ROTATION, VISCOSITY, RESISTANCE = 0, 4, 5
 KEPT = 17
 
 MASS, MODULUS = 0, 1  # of an element, which do not change

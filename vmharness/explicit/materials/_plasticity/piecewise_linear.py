@@ -17,13 +17,13 @@ from typing import TypeAlias
 
 import numpy as np
 
-from vmharness.explicit.kernels.simd import LANES, Indices
+from vmharness.explicit.kernels.simd import LANES
 from vmharness.explicit.kernels.vector import inlined, inlined_counted
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.state import Array, Index
 
 Hinges: TypeAlias = tuple[float, ...]
 # Starts of the segments, cells, rows; then of LANES elements: the rows that they need, what a step of these changes.
-Table: TypeAlias = tuple[Array, Indices, Array, Array, Array]
+Table: TypeAlias = tuple[Array, Index, Array, Array, Array]
 Curve: TypeAlias = tuple[Hinges, Table | None, Array | None]
 
 HINGES = 6

@@ -12,10 +12,9 @@ from numpy.typing import NDArray
 
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.vector import Vector, add, dot, inlined, scale, subtract
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.state import Array, Index
 from vmharness.explicit.walls.planar.face import NORMAL, along, covers
 
-Index = NDArray[np.intp]
 Flags = NDArray[np.bool_]
 
 

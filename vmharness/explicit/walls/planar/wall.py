@@ -3,13 +3,10 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Index, State
 from vmharness.explicit.walls.planar.face import NORMAL
 from vmharness.explicit.walls.planar.law import press, strike
-
-Index = NDArray[np.intp]
 
 
 class PlanarWall:

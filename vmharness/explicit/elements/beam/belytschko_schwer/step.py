@@ -23,9 +23,8 @@ from vmharness.explicit.elements.beam.belytschko_schwer.stiffness import (
     TORSION,
 )
 from vmharness.explicit.kernels.compiled import kernel
-from vmharness.explicit.kernels.simd import Indices
 from vmharness.explicit.kernels.vector import Vector, add, cross, dot, inlined, scale, subtract
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.state import Array, Index
 
 # Resultants of an element: axial force, torque, moments of the ends on the beam about s, about t, per rotation.
 FORCE, TORQUE, S_1, S_2, T_1, T_2 = range(6)
@@ -75,7 +74,7 @@ def slope(u: float) -> float:
 
 
 @kernel
-def turn(triads: Array, nodes: Indices, omega: Array, dt: float) -> None:
+def turn(triads: Array, nodes: Index, omega: Array, dt: float) -> None:
     """Turn s and t of both ends by their nodes' rotation over the step."""
     for e in range(len(nodes)):
         for end in range(2):
@@ -101,7 +100,7 @@ def resist(
 @kernel
 def step(
     x: Array,
-    nodes: Indices,
+    nodes: Index,
     length: Array,
     limit: Array,
     stiffness: Array,

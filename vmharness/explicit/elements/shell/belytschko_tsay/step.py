@@ -20,9 +20,8 @@ from vmharness.explicit.elements.shell._rows import (
     X,
     put_strain,
 )
-from vmharness.explicit.elements.shell.belytschko_tsay.forces import nodal_forces
-from vmharness.explicit.elements.shell.belytschko_tsay.lanes import corners, put_corners
-from vmharness.explicit.elements.shell.belytschko_tsay.rates import increments
+from vmharness.explicit.elements.shell.belytschko_tsay.frame import corners, put_corners
+from vmharness.explicit.elements.shell.belytschko_tsay.strain import increments, nodal_forces
 from vmharness.explicit.kernels.compiled import kernel, to_be_bound
 from vmharness.explicit.kernels.simd import LANES, put, vector
 from vmharness.explicit.kernels.vector import add, dot, scale

@@ -33,9 +33,9 @@ from vmharness.explicit.elements.solid._rows import (
 from vmharness.explicit.elements.solid._viscosity import stable_step, viscosity
 from vmharness.explicit.kernels.compiled import kernel, to_be_bound
 from vmharness.explicit.kernels.rotation import matvec, strain_in_frame, stress_in_space
-from vmharness.explicit.kernels.simd import LANES, Indices, gather, put, scatter, vector
+from vmharness.explicit.kernels.simd import LANES, gather, put, scatter, vector
 from vmharness.explicit.kernels.vector import add, scale, subtract
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.state import Array, Index
 
 stress_at_point = to_be_bound("stress_at_point")
 
@@ -110,7 +110,7 @@ def step(
     x: Array,
     v: Array,
     dt: float,
-    nodes: Indices,
+    nodes: Index,
     elements: int,
     fixed: Array,
     kept: Array,

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from vmharness.explicit.elements.solid._gradient import mean
-from vmharness.explicit.elements.solid._motion import motion
+from vmharness.explicit.elements.solid._motion import mean_strain, motion
 from vmharness.explicit.elements.solid._pattern import nodal
 from vmharness.explicit.elements.solid._rows import (
     HOURGLASS,
@@ -27,14 +27,13 @@ from vmharness.explicit.elements.solid._rows import (
     seven,
     tensor,
 )
-from vmharness.explicit.elements.solid._strain import mean_strain
 from vmharness.explicit.elements.solid._viscosity import stable_step, viscosity
 from vmharness.explicit.elements.solid.one_point.hourglass import forces, rates
 from vmharness.explicit.kernels.compiled import kernel, to_be_bound
 from vmharness.explicit.kernels.rotation import matvec, stress_in_space
-from vmharness.explicit.kernels.simd import LANES, Indices, gather, scatter, vector
+from vmharness.explicit.kernels.simd import LANES, gather, scatter, vector
 from vmharness.explicit.kernels.vector import Vector, add, inlined, scale, subtract
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.state import Array, Index
 
 stress_at_point = to_be_bound("stress_at_point")
 
@@ -88,7 +87,7 @@ def step(
     x: Array,
     v: Array,
     dt: float,
-    nodes: Indices,
+    nodes: Index,
     elements: int,
     fixed: Array,
     kept: Array,
