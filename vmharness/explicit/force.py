@@ -55,7 +55,7 @@ class Scalable(Elements, Protocol):
     def steps(self, x: Array) -> Array:
         """The stable step (ne,) of each element at coordinates `x` (n, 3) and its density."""
 
-    def densify(self, factor: Array) -> None:
+    def scale_density(self, factor: Array) -> None:
         """Raise the densities by `factor` (ne,): from the next `add` on, steps are sqrt(factor) times as long."""
 
 

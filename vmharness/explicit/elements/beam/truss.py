@@ -117,20 +117,13 @@ class Truss:
     def add(self, state: State) -> None:
         """Add forces at t_n, and the work of the step that led there."""
         self._shortest = self._step(
-            state.x,
-            state.v,
-            state.dt,
-            self._nodes,
-            self.elements,
-            self._area,
-            self._length,
+            state.x, state.v, state.dt,
+            self._nodes, self.elements, self._area, self._length,
             self._constants,
-            self._stress,
-            self._history,
-            state.f,
-            self.energy["internal"],
+            self._stress, self._history,
+            state.f, self.energy["internal"],
             self._work,
-        )
+        )  # fmt: skip
 
     def stable_step(self) -> float:
         """The smallest sqrt(L L_0) / c at the geometry of the last `add`."""
@@ -141,7 +134,7 @@ class Truss:
         now = np.linalg.norm(x[self.nodes[:, 1]] - x[self.nodes[:, 0]], axis=1)
         return np.asarray(np.sqrt(now * by_element(self._length, self.elements)[:, 0]) / self._wave_speed)
 
-    def densify(self, factor: Array) -> None:
+    def scale_density(self, factor: Array) -> None:
         """Raise the densities by `factor` (ne,): waves are slower, as if bars had been longer at the beginning."""
         self._length[:] = by_block(by_element(self._length, self.elements) * factor[:, None])
 
@@ -195,18 +188,24 @@ def stretch(
 
 
 def step(
+    # state
     x: Array,
     v: Array,
     dt: float,
+    # elements
     nodes: Index,
     elements: int,
     area: float,
     length: Array,
+    # material
     constants: Any,
+    # elements, in and out
     stress: Array,
     history: Array,
+    # out
     f: Array,
     energy: Array,
+    # buffer
     work: Array,
 ) -> float:
     """Bring stresses to t_n, add forces there, and the step's work to `energy` (1,); the smallest L L_0.

@@ -60,7 +60,7 @@ class Discrete:
         self._limit = np.inf
         self._step = _compiled(step.step, law.spring)
         if offset.any():
-            _compiled(step.load, law.spring)(
+            _compiled(step.preload, law.spring)(
                 offset, size, constants, limits[0], self.elongation, self.force, self._history, self._energy
             )
 
@@ -76,23 +76,12 @@ class Discrete:
             taken = np.where(mass == own, self.taken, 0.0)
             self._limit = stable_step(self.nodes, self.demand[0], self.demand[1], mass, taken)
         self._step(
-            state.x,
-            state.v,
-            state.omega if self.about else state.v,
-            state.dt,
-            self.nodes,
-            self._direction,
-            self._guide,
-            self._size,
-            self._constants,
-            self._limits,
-            self._broken,
-            self.elongation,
-            self.force,
-            self._history,
-            state.moment if self.about else state.f,
-            self._energy,
-        )
+            state.x, state.v, state.omega if self.about else state.v, state.dt,
+            self.nodes, self._direction, self._guide, self._size,
+            self._constants, self._limits,
+            self._broken, self.elongation, self.force, self._history,
+            state.moment if self.about else state.f, self._energy,
+        )  # fmt: skip
 
     def stable_step(self) -> float:
         """The limit of the nodes that these elements join, from the bounds of the laws: the same at all times."""

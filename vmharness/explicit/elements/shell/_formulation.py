@@ -16,13 +16,13 @@ from vmharness.explicit.model.state import Array
 class Formulation:
     """Mass and kernels of shells with the same number of corners.
 
-    `nodal_mass(corners, thickness, density, nu, shrf)`: mass and rotary inertia (ne,) of each node; `corners(work, row,
-    e)`: the vectors of element e in the buffer; `lengths`: characteristic length of such corners, by ISDO; `strain`,
-    `hourglass_force`, `force`: the stages of _step.py.
+    `nodal_mass(corners, thickness, density, nu, shrf)`: mass and rotary inertia (ne,) of each node; `load_corners(work,
+    row, e)`: the vectors of element e in the buffer; `lengths`: characteristic length of such corners, by ISDO;
+    `strain`, `hourglass_force`, `force`: the stages of _step.py.
     """
 
     nodal_mass: Callable[[Array, Array, float, float, float], tuple[Array, Array]]
-    corners: Callable[..., Any]
+    load_corners: Callable[..., Any]
     lengths: tuple[Callable[..., float], ...]
     strain: Callable[..., None]
     hourglass_force: Callable[..., None]
@@ -46,4 +46,4 @@ def compiled_step(
 @cache
 def compiled_lengths(formulation: Formulation, isdo: int) -> Callable[..., None]:
     """The characteristic lengths of many elements."""
-    return specialise(step.lengths, corners=formulation.corners, length=formulation.lengths[isdo])
+    return specialise(step.lengths, load_corners=formulation.load_corners, length=formulation.lengths[isdo])

@@ -86,26 +86,13 @@ class Shells:
     def add(self, state: State) -> None:
         """Add forces and moments at t_n, and the work of the step that led there."""
         self._length = self._step(
-            state.x,
-            state.v,
-            state.omega,
-            state.dt,
-            self._nodes,
-            self.elements,
-            self._section,
-            self._points,
-            self._shrf,
-            self._thinning,
-            self._constants,
-            self._stress,
-            self._history,
-            self._viscous,
-            self._hourglass,
-            state.f,
-            state.moment,
-            self._energy,
+            state.x, state.v, state.omega, state.dt,
+            self._nodes, self.elements, self._section,
+            self._points, self._shrf, self._thinning, self._viscous, self._constants,
+            self._stress, self._history, self._hourglass,
+            state.f, state.moment, self._energy,
             self._work,
-        )
+        )  # fmt: skip
 
     def stable_step(self) -> float:
         """The shortest L_s / c at the geometry of the last `add`."""
@@ -117,7 +104,7 @@ class Shells:
         self._lengths(x, self._nodes, self._work, lengths)
         return lengths * by_element(self._section, self.elements)[:, DENSITY_ROOT] / self._wave_speed
 
-    def densify(self, factor: Array) -> None:
+    def scale_density(self, factor: Array) -> None:
         """Raise the densities by `factor` (ne,)."""
         section = by_element(self._section, self.elements).copy()
         section[:, DENSITY_ROOT] *= np.sqrt(factor)

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from vmharness.explicit.elements.shell._rows import HOURGLASS_WORK, LENGTH, MOMENT, OMEGA, WORK, F, V, X
-from vmharness.explicit.elements.shell._thickness import thin
+from vmharness.explicit.elements.shell._thickness import update_thickness
 from vmharness.explicit.kernels.compiled import to_be_bound
 from vmharness.explicit.kernels.simd import LANES, gather, scatter
 from vmharness.explicit.model.state import Array, Index
@@ -23,29 +23,35 @@ strain = to_be_bound("strain")
 stress_at_point = to_be_bound("stress_at_point")
 hourglass_force = to_be_bound("hourglass_force")
 force = to_be_bound("force")
-corners = to_be_bound("corners")
+load_corners = to_be_bound("load_corners")
 length = to_be_bound("length")
 
 
 def step(
+    # state
     x: Array,
     v: Array,
     omega: Array,
     dt: float,
+    # elements
     nodes: Index,
     elements: int,
     section: Array,
+    # formulation and material
     points: Array,
     shrf: float,
     thinning: bool,
+    viscous: bool,
     constants: Any,
+    # elements, in and out
     stress: Array,
     history: Array,
-    viscous: bool,
     hourglass: Array,
+    # out
     f: Array,
     moment: Array,
     energy: Array,
+    # buffer
     work: Array,
 ) -> float:
     """Bring stresses to t_n, add forces and moments there, and the step's work to `energy`; the shortest L_s.
@@ -66,7 +72,7 @@ def step(
                 work, dt, section[block], zeta, weight, shrf, constants, stress[block, p], history[block, p]
             )
         if thinning:
-            thin(work, section[block])
+            update_thickness(work, section[block])
         hourglass_force(work, dt, section[block], viscous, hourglass[block])
         force(work, section[block])
         count = min(LANES, elements - block * LANES)
@@ -86,4 +92,4 @@ def lengths(x: Array, nodes: Index, work: Array, out: Array) -> None:
     for block in range(len(nodes)):
         gather(x, nodes[block], work, X)
         for e in range(min(LANES, len(out) - block * LANES)):
-            out[block * LANES + e] = length(corners(work, X, e))
+            out[block * LANES + e] = length(load_corners(work, X, e))

@@ -16,11 +16,11 @@ from vmharness.explicit.elements.solid._rows import (
     WORK,
     V,
     X,
-    nodes,
-    put_seven,
-    put_tensor,
-    seven,
-    tensor,
+    load_nodes,
+    load_patterns,
+    load_tensor,
+    store_patterns,
+    store_tensor,
 )
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.rotation import (
@@ -62,16 +62,16 @@ def motion(work: Array, dt: float, kept: Array) -> None:
 def to_patterns(work: Array, row: int) -> None:
     """Patterns 1 to 7 in place of the nodes from `row` on."""
     for e in range(LANES):
-        put_seven(work, row, e, patterns(nodes(work, row, e)))
+        store_patterns(work, row, e, patterns(load_nodes(work, row, e)))
 
 
 @kernel
 def gradient(work: Array, dt: float) -> None:
     """VOLUME and GRADIENT at mid-step."""
     for e in range(LANES):
-        v = seven(work, V, e)
-        volume, b = mean(at_mid_step(seven(work, X, e), v, dt))
-        put_tensor(work, GRADIENT, e, mean_velocity_gradient(v, volume, b))
+        v = load_patterns(work, V, e)
+        volume, b = mean(at_mid_step(load_patterns(work, X, e), v, dt))
+        store_tensor(work, GRADIENT, e, mean_velocity_gradient(v, volume, b))
         work[VOLUME * LANES + e] = volume
         work[WORK * LANES + e] = 0.0
 
@@ -80,13 +80,13 @@ def gradient(work: Array, dt: float) -> None:
 def rotate_frame(work: Array, dt: float, kept: Array) -> None:
     """Rotate the frame by the mean spin: its axes at mid-step in MIDDLE, at the end of the step in NOW."""
     for e in range(LANES):
-        L = tensor(work, GRADIENT, e)
+        L = load_tensor(work, GRADIENT, e)
         spin = (L[2][1] - L[1][2], L[0][2] - L[2][0], L[1][0] - L[0][1])
         t = half_rotation(scale(0.25 * dt, spin))
         s, u = rotate_quaternion(kept[ROTATION * LANES + e], vector(kept, ROTATION + 1, e), t)
-        put_tensor(work, MIDDLE, e, rotation_matrix(s, u))
+        store_tensor(work, MIDDLE, e, rotation_matrix(s, u))
         s, u = rotate_quaternion(s, u, t)
-        put_tensor(work, NOW, e, rotation_matrix(s, u))
+        store_tensor(work, NOW, e, rotation_matrix(s, u))
         kept[ROTATION * LANES + e] = s
         put(kept, ROTATION + 1, e, u)
 
@@ -95,6 +95,6 @@ def rotate_frame(work: Array, dt: float, kept: Array) -> None:
 def mean_strain(work: Array, dt: float) -> None:
     """STRAIN = dt D of the mean velocity gradient."""
     for e in range(LANES):
-        normal, shear = strain_in_frame(tensor(work, MIDDLE, e), tensor(work, GRADIENT, e))
+        normal, shear = strain_in_frame(load_tensor(work, MIDDLE, e), load_tensor(work, GRADIENT, e))
         put(work, STRAIN, e, scale(dt, normal))
         put(work, STRAIN + 3, e, scale(dt, shear))

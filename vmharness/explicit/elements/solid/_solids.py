@@ -73,23 +73,13 @@ class Hexahedra:
     def add(self, state: State) -> None:
         """Add forces at t_n, and the work of the step that led there."""
         self._stable = self._step(
-            state.x,
-            state.v,
-            state.dt,
-            self._nodes,
-            self.elements,
-            self._fixed,
-            self._kept,
-            self._modulus,
-            self._viscous,
-            self._hourglass,
-            self._constants,
-            self._stress,
-            self._history,
-            state.f,
-            self._energy,
+            state.x, state.v, state.dt,
+            self._nodes, self.elements, self._fixed,
+            self._modulus, self._viscous, self._hourglass, self._constants,
+            self._kept, self._stress, self._history,
+            state.f, self._energy,
             self._work,
-        )
+        )  # fmt: skip
 
     def stable_step(self) -> float:
         """The shortest L_e / (Q + sqrt(Q^2 + c^2)) at the last `add`, or less where hourglass control is strong."""
@@ -101,7 +91,7 @@ class Hexahedra:
         mass = by_element(self._fixed, self.elements)[:, MASS]
         return length * np.sqrt(mass / (self._modulus * volume))
 
-    def densify(self, factor: Array) -> None:
+    def scale_density(self, factor: Array) -> None:
         """Raise the densities by `factor` (ne,)."""
         fixed = by_element(self._fixed, self.elements).copy()
         fixed[:, MASS] *= factor

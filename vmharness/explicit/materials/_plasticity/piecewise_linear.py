@@ -1,4 +1,4 @@
-"""A piecewise linear function, whose last slope goes on beyond the last point, in three forms.
+"""A piecewise liselected function, whose last slope goes on beyond the last point, in three forms.
 
 Up to eight points: a sum over hinges, without a search, so that loops around it vectorise:
 
@@ -93,11 +93,11 @@ def segment(table: Table, x: float) -> int:
 @inlined
 def value_and_slope(curve: Curve, x: float) -> tuple[float, float]:
     """y(x) and dy/dx; at a point the slope before or after it."""
-    return by_form(curve[0], curve[1], x)
+    return evaluate(curve[0], curve[1], x)
 
 
 @inlined
-def by_form(hinges: Hinges, table: Table | None, x: float) -> tuple[float, float]:
+def evaluate(hinges: Hinges, table: Table | None, x: float) -> tuple[float, float]:
     """The same; the compiler keeps one form."""
     if table is None:
         y, slope = hinges[0] + hinges[1] * x, hinges[1]
@@ -111,17 +111,17 @@ def by_form(hinges: Hinges, table: Table | None, x: float) -> tuple[float, float
 
 
 @inlined_counted
-def of_lane(curve: Curve, at: int, stride: int) -> Curve:
+def element_curve(curve: Curve, at: int, stride: int) -> Curve:
     """The function of one element of a block, whose history starts at `at`."""
-    return by_rows(curve[0], curve[1], curve[2], at, stride)
+    return curve_of_row(curve[0], curve[1], curve[2], at, stride)
 
 
 @inlined_counted
-def by_rows(hinges: Hinges, table: Table | None, near: Array | None, at: int, stride: int) -> Curve:
+def curve_of_row(hinges: Hinges, table: Table | None, selected: Array | None, at: int, stride: int) -> Curve:
     """The same; the compiler keeps one form."""
-    if near is None:
+    if selected is None:
         return hinges, table, None
-    line = near[at], near[at + stride]
-    first = near[at + 2 * stride], near[at + 3 * stride]
-    second = near[at + 4 * stride], near[at + 5 * stride]
+    line = selected[at], selected[at + stride]
+    first = selected[at + 2 * stride], selected[at + 3 * stride]
+    second = selected[at + 4 * stride], selected[at + 5 * stride]
     return (*line, *first, *second), None, None

@@ -3,9 +3,9 @@
 from math import copysign
 
 from vmharness.explicit.kernels.vector import inlined
-from vmharness.explicit.materials._plasticity.consistency import rate_increment
+from vmharness.explicit.materials._plasticity.consistency import increment
 from vmharness.explicit.materials._plasticity.constants import Plastic, modulus
-from vmharness.explicit.materials._plasticity.piecewise_linear import of_lane
+from vmharness.explicit.materials._plasticity.piecewise_linear import element_curve
 from vmharness.explicit.materials._plasticity.rate import factor, viscous_part
 from vmharness.explicit.model.state import Array
 
@@ -37,11 +37,11 @@ def uniaxial(
 ) -> float:
     """Axial stress after a strain increment."""
     E, C, rate = constants.E, constants.C, constants.rate
-    Y = of_lane(constants.Y, at, stride)
+    Y = element_curve(constants.Y, at, stride)
     p, trial = history[at], s + E * deps
     eta = trial - back_stress(C, history, at, stride)
     r = factor(rate, deps * deps, dt)
-    dp = rate_increment(abs(eta), E + modulus(C), p, r, Y, viscous_part(rate), dt)
+    dp = increment(abs(eta), E + modulus(C), p, r, Y, viscous_part(rate), dt)
     de_p = copysign(dp, eta)
     history[at] = p + dp
     move_back_stress(C, de_p, history, at, stride)

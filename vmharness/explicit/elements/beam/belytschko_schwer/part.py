@@ -52,25 +52,19 @@ class BelytschkoSchwer:
         self._length = np.linalg.norm(axis, axis=1)
         self._triads = np.repeat(_s_and_t(axis, orientation)[:, None], 2, axis=1)
         self._limit, self._stable = limit, float(limit.min())
-        self._damping: tuple[Array, Array, Array] | None = None  # beta (ne,), see `step.resist`, work lost
+        self._damping: tuple[Array, Array, Array] | None = (
+            None  # beta (ne,), see `step.add_damping`, work lost
+        )
 
     def add(self, state: State) -> None:
         """Add forces and moments at t_n; what is stored is a function of the deformation alone."""
-        step.turn(self._triads, self.nodes, state.omega, state.dt)
+        step.rotate_triads(self._triads, self.nodes, state.omega, state.dt)
         self._stable = step.step(
-            state.x,
-            self.nodes,
-            self._length,
-            self._limit,
-            self._stiffness,
-            self._triads,
-            self.resultants,
-            state.f,
-            state.moment,
-            self.energy["internal"],
-            state.dt,
-            self._damping,
-        )
+            state.x, state.dt,
+            self.nodes, self._length, self._limit, self._stiffness,
+            self._triads, self.resultants, self._damping,
+            state.f, state.moment, self.energy["internal"],
+        )  # fmt: skip
 
     def stable_step(self) -> float:
         """The smallest limit of the elements, each less its shortening."""
@@ -81,7 +75,7 @@ class BelytschkoSchwer:
         length = np.linalg.norm(x[self.nodes[:, 1]] - x[self.nodes[:, 0]], axis=1)
         return np.asarray(self._limit * np.minimum(length / self._length, 1.0))
 
-    def densify(self, factor: Array) -> None:
+    def scale_density(self, factor: Array) -> None:
         """Raise the densities by `factor` (ne,)."""
         self._limit = self._limit * np.sqrt(factor)
 

@@ -11,7 +11,7 @@ from vmharness.explicit.elements.shell._build import add_part
 from vmharness.explicit.elements.shell._formulation import Formulation
 from vmharness.explicit.elements.shell._parts import shell_parts
 from vmharness.explicit.elements.shell._shells import Shells
-from vmharness.explicit.elements.shell.belytschko_tsay.frame import corners
+from vmharness.explicit.elements.shell.belytschko_tsay.frame import load_corners
 from vmharness.explicit.elements.shell.belytschko_tsay.hourglass import Hourglass
 from vmharness.explicit.elements.shell.belytschko_tsay.hourglass import moduli as hourglass_moduli
 from vmharness.explicit.elements.shell.belytschko_tsay.length import LENGTHS
@@ -24,7 +24,7 @@ from vmharness.explicit.model.state import Array, Index
 
 DEFAULT = 2  # hourglass type where IHQ is 0
 
-QUADRILATERAL = Formulation(nodal_mass, corners, LENGTHS, strain, hourglass_force, force)
+QUADRILATERAL = Formulation(nodal_mass, load_corners, LENGTHS, strain, hourglass_force, force)
 
 
 class BelytschkoTsay(Shells):

@@ -28,7 +28,7 @@ The coefficients of v,x and v,y make the forces +-p of nodes 1, 3 and +-q of nod
 
 """
 
-from vmharness.explicit.elements.shell._chord import chord
+from vmharness.explicit.elements.shell._chord import chord_factor
 from vmharness.explicit.elements.shell.belytschko_tsay.frame import Corners, frame, hourglass_pattern
 from vmharness.explicit.kernels.vector import Vector, add, combine, components, inlined, scale, subtract
 
@@ -57,8 +57,8 @@ def increments(
     curvature = scale(dt, (w_x[1], -w_y[0], w_y[1] - w_x[0]))
 
     mean = components(triad, scale(0.25, add(add(omega[0], omega[1]), add(omega[2], omega[3]))))
-    turn = chord(v_x, v_y, dt)
-    shear = scale(dt, (turn * v_y[2] - mean[0], turn * v_x[2] + mean[1], 0.0))
+    factor = chord_factor(v_x, v_y, dt)
+    shear = scale(dt, (factor * v_y[2] - mean[0], factor * v_x[2] + mean[1], 0.0))
 
     v_h = components(triad, hourglass_pattern(v))
     w_h = components(triad, hourglass_pattern(omega))

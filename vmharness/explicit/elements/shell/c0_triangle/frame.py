@@ -44,13 +44,13 @@ def frame(
 
 
 @inlined
-def corners(work: Array, row: int, e: int) -> Corners:
+def load_corners(work: Array, row: int, e: int) -> Corners:
     """The vectors at the three nodes of element e."""
     return vector(work, row, e), vector(work, row + 3, e), vector(work, row + 6, e)
 
 
 @inlined
-def put_corners(work: Array, row: int, e: int, a: Corners) -> None:
+def store_corners(work: Array, row: int, e: int, a: Corners) -> None:
     """Store the vectors at the three nodes of element e."""
     put(work, row, e, a[0])
     put(work, row + 3, e, a[1])

@@ -7,13 +7,13 @@ from vmharness.explicit.elements.shell._build import add_part
 from vmharness.explicit.elements.shell._formulation import Formulation
 from vmharness.explicit.elements.shell._parts import shell_parts
 from vmharness.explicit.elements.shell._shells import Shells
-from vmharness.explicit.elements.shell.c0_triangle.frame import corners
+from vmharness.explicit.elements.shell.c0_triangle.frame import load_corners
 from vmharness.explicit.elements.shell.c0_triangle.length import LENGTHS
 from vmharness.explicit.elements.shell.c0_triangle.mass import nodal_mass
 from vmharness.explicit.elements.shell.c0_triangle.step import force, no_hourglass, strain
 from vmharness.explicit.model.model import Model
 
-TRIANGLE = Formulation(nodal_mass, corners, LENGTHS, strain, no_hourglass, force)
+TRIANGLE = Formulation(nodal_mass, load_corners, LENGTHS, strain, no_hourglass, force)
 
 
 class C0Triangle(Shells):

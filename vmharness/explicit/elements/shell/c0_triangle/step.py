@@ -13,7 +13,7 @@ from vmharness.explicit.elements.shell._rows import (
     X,
     put_strain,
 )
-from vmharness.explicit.elements.shell.c0_triangle.frame import corners, put_corners
+from vmharness.explicit.elements.shell.c0_triangle.frame import load_corners, store_corners
 from vmharness.explicit.elements.shell.c0_triangle.strain import increments, nodal_forces
 from vmharness.explicit.kernels.compiled import kernel, to_be_bound
 from vmharness.explicit.kernels.simd import LANES, vector
@@ -27,10 +27,10 @@ length = to_be_bound("length")  # the characteristic length by ISDO: see length.
 def strain(work: Array, dt: float) -> None:
     """Rates on the geometry at mid-step, x_{n-1/2} = x_n - dt/2 v_{n-1/2}."""
     for e in range(LANES):
-        x, v = corners(work, X, e), corners(work, V, e)
+        x, v = load_corners(work, X, e), load_corners(work, V, e)
         half = -0.5 * dt
         middle = (add(x[0], scale(half, v[0])), add(x[1], scale(half, v[1])), add(x[2], scale(half, v[2])))
-        area, membrane, curvature, shear = increments(middle, v, corners(work, OMEGA, e), dt)
+        area, membrane, curvature, shear = increments(middle, v, load_corners(work, OMEGA, e), dt)
         put_strain(work, e, area, membrane, curvature, shear)
 
 
@@ -45,9 +45,9 @@ def force(work: Array, section: Array) -> None:
     Mass scaling slows the waves of an element, as if it were longer.
     """
     for e in range(LANES):
-        x = corners(work, X, e)
+        x = load_corners(work, X, e)
         scaled = section[DENSITY_ROOT * LANES + e] * length(x)
         work[LENGTH * LANES + e] = min(work[LENGTH * LANES + e], scaled)
         f, moment = nodal_forces(x, vector(work, N, e), vector(work, M, e), vector(work, S, e))
-        put_corners(work, F, e, f)
-        put_corners(work, MOMENT, e, moment)
+        store_corners(work, F, e, f)
+        store_corners(work, MOMENT, e, moment)

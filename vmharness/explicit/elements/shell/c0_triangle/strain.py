@@ -20,7 +20,7 @@ The coefficients of v,x and v,y make the forces of nodes 2 and 3 through B; node
 
 """
 
-from vmharness.explicit.elements.shell._chord import chord
+from vmharness.explicit.elements.shell._chord import chord_factor
 from vmharness.explicit.elements.shell.c0_triangle.frame import Corners, frame
 from vmharness.explicit.kernels.vector import Vector, add, combine, components, inlined, scale, subtract
 
@@ -47,10 +47,10 @@ def increments(x: Corners, v: Corners, omega: Corners, dt: float) -> tuple[float
     curvature = scale(dt, (w_x[1], -w_y[0], w_y[1] - w_x[0]))
 
     mean = components(triad, scale(1 / 3, add(add(omega[0], omega[1]), omega[2])))
-    turn = dt * chord(v_x, v_y, dt)
+    factor = dt * chord_factor(v_x, v_y, dt)
     shear = (
-        turn * v_y[2] - dt * mean[0] + c * curvature[0] + b * curvature[1] - a * curvature[2],
-        turn * v_x[2] + dt * mean[1] + a * curvature[0] - b * curvature[2],
+        factor * v_y[2] - dt * mean[0] + c * curvature[0] + b * curvature[1] - a * curvature[2],
+        factor * v_x[2] + dt * mean[1] + a * curvature[0] - b * curvature[2],
         0.0,
     )
     return area, membrane, curvature, shear
