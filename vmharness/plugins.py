@@ -25,9 +25,14 @@ def names(package: str) -> list[str]:
 def module(package: str, name: str, *required: str) -> ModuleType:
     """Import the module `name` of the folder of `package`; raises ContractError if it lacks a `required` name."""
     found = import_module(f"{package}.{name}")
+    require(found, package, *required)
+    return found
+
+
+def require(found: ModuleType, package: str, *required: str) -> None:
+    """Raise ContractError, which names the file, if a module of the folder of `package` lacks a `required` name."""
     if missing := [each for each in required if not hasattr(found, each)]:
         raise ContractError(f"{found.__file__}: a module of {package} must define {', '.join(missing)}")
-    return found
 
 
 def modules(package: str, *required: str) -> list[ModuleType]:

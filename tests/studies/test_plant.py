@@ -20,12 +20,12 @@ from vmharness.studies.faults.plant import fault, plant
 for name in sys.argv[1:]:
     plant(fault(name).digest)
 from vmharness.explicit.kernels.compiled import kernel
-from vmharness.explicit.materials.elastic import plane_stress
+from vmharness.explicit.materials.elastic import Elastic, plane_stress
 import numpy as np
 
 @kernel
 def stress(history):
-    return plane_stress((3.0, 0.5), 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, history, 0, 1)[0]
+    return plane_stress(Elastic(3.0, 0.5), 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, history, 0, 1)[0]
 
 print(stress(np.zeros(1)))
 """

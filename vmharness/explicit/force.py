@@ -6,7 +6,7 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Index, State
 
 
 class Force(Protocol):
@@ -48,14 +48,14 @@ class Scalable(Elements, Protocol):
     All nodes of an element take the same share of its mass and rotary inertia.
     """
 
-    nodes: NDArray[np.intp]  # (ne, corners) rows of the state's arrays
+    nodes: Index  # (ne, corners) rows of the state's arrays
     mass: Array  # (ne,) that each node takes, at the material's density
     inertia: Array  # (ne,)
 
     def steps(self, x: Array) -> Array:
         """The stable step (ne,) of each element at coordinates `x` (n, 3) and its density."""
 
-    def densify(self, factor: Array) -> None:
+    def scale_density(self, factor: Array) -> None:
         """Raise the densities by `factor` (ne,): from the next `add` on, steps are sqrt(factor) times as long."""
 
 

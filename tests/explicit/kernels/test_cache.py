@@ -16,14 +16,14 @@ PACKAGE = Path(__file__).parents[3] / "vmharness"
 STRETCH = """
 import numpy as np
 from vmharness.explicit.elements.shell.belytschko_tsay import BelytschkoTsay
-from vmharness.explicit.materials import elastic
+from vmharness.explicit.materials import Moduli, elastic
 from vmharness.explicit.model.state import State
 x = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
 v = np.zeros((4, 3))
 v[1:3, 0] = 1e-3
 n = np.zeros((4, 3))
 shell = BelytschkoTsay("s", np.array([[0, 1, 2, 3]]), x, np.ones(1), 1.0, elastic.plane_stress,
-                       (1000.0, 0.0), (1000.0, 0.0))
+                       elastic.Elastic(1000.0, 0.0), Moduli(1000.0, 0.0))
 shell.add(State(x + v, v, n, np.ones(4), np.ones(4), dt=1.0))
 print(shell.stress[0, 0, 0])
 """

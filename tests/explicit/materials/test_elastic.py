@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError
-from vmharness.explicit.materials.elastic import plane_stress
+from vmharness.explicit.materials.elastic import Elastic, plane_stress
 
 E, NU = 210.0, 0.3
 
 
 def stress(strain, before=(0.0, 0.0, 0.0, 0.0, 0.0)):
-    return plane_stress((E, NU), 1.0, *strain, *before, np.zeros(0), 0, 1)
+    return plane_stress(Elastic(E, NU), 1.0, *strain, *before, np.zeros(0), 0, 1)
 
 
 def test_solid_with_no_normal_stress():

@@ -46,23 +46,23 @@ def test_bilinear(constants):
 )
 def test_curve(constants, given):
     """Linear between points, the last slope beyond them; LCSS before EPS and ES before SIGY."""
-    Y = constants(**given)[3]
+    Y = constants(**given).Y
     assert values(Y, [0.0, 0.05, 0.1, 0.2, 0.3, 0.7]) == pytest.approx([0.3, 0.35, 0.4, 0.45, 0.5, 0.7])
 
 
 def test_eight_points(constants):
     p = np.linspace(0, 1, 8)
     eps, es = (",".join(map(repr, a.tolist())) for a in (p, 1 + np.sqrt(p)))
-    Y = constants(eps=eps, es=es)[3]
+    Y = constants(eps=eps, es=es).Y
     assert values(Y, p) == pytest.approx(1 + np.sqrt(p))
 
 
 def test_rate_by_curve_goes_before_cowper_symonds(constants):
-    assert constants(sigy="0.4", second="40.0,5.0")[4] == (None, 1 / 40, 1 / 5, None)
-    assert constants(sigy="0.4", second="40.0,5.0,0,0,1.0")[4][3] == (40.0, 5.0, 0.4, 0.0)  # SIGY z
+    assert constants(sigy="0.4", second="40.0,5.0").rate == (None, 1 / 40, 1 / 5, None)
+    assert constants(sigy="0.4", second="40.0,5.0,0,0,1.0").rate[3] == (40.0, 5.0, 0.4, 0.0)  # SIGY z
     points = dict(eps="0.0,0.1,0.3", es="0.3,0.4,0.5")
-    assert constants(second="40.0,5.0,0,0,1.0", **points)[4][3] == (40.0, 5.0, 0.0, 1.0)  # Y z
-    table, *_ = constants(sigy="0.4", second="40.0,5.0,0,8", _8=["0.0,1.0", "10.0,1.5"])[4]
+    assert constants(second="40.0,5.0,0,0,1.0", **points).rate[3] == (40.0, 5.0, 0.0, 1.0)  # Y z
+    table, *_ = constants(sigy="0.4", second="40.0,5.0,0,8", _8=["0.0,1.0", "10.0,1.5"]).rate
     assert values(table, [0.0, 4.0, 20.0]) == pytest.approx([1.0, 1.2, 2.0])
 
 

@@ -30,8 +30,8 @@ def test_plastic_modulus_is_shared_by_beta(constants, beta, C, slope):
 
 
 def test_rate(constants):
-    assert constants("1,1.0,210.0,0.3,0.4", "40.0,5.0")[4] == (None, 1 / 40, 1 / 5, None)
-    plastic = constants("1,1.0,210.0,0.3,0.4", "40.0,5.0,0.0,1.0")[4]
+    assert constants("1,1.0,210.0,0.3,0.4", "40.0,5.0").rate == (None, 1 / 40, 1 / 5, None)
+    plastic = constants("1,1.0,210.0,0.3,0.4", "40.0,5.0,0.0,1.0").rate
     assert plastic == (None, 1 / 40, 1 / 5, (40.0, 5.0, 0.0, 1.0))  # of Y
 
 

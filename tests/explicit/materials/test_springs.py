@@ -8,13 +8,17 @@ from hypothesis import strategies as st
 from vmharness.deck import DeckError
 from vmharness.explicit.build import build
 from vmharness.explicit.materials import spring_elastoplastic
+from vmharness.explicit.materials.spring_elastoplastic import ElastoplasticSpring
 from vmharness.explicit.model.characteristic import ordinate
 
 K, KT, FY = 100.0, 20.0, 5.0
 HARDENING = K * KT / (K - KT)
 
 
-def follow(path, constants=(K, FY, HARDENING)):
+SPRING = ElastoplasticSpring(K, FY, HARDENING)
+
+
+def follow(path, constants=SPRING):
     """Forces along a path of elongations, and the history at its end."""
     history = np.zeros(2)
     return [spring_elastoplastic.spring(constants, 1.0, d, 0.0, history, 0, 1) for d in path], history
@@ -36,7 +40,7 @@ def test_unloading_is_elastic_and_reverse_yield_is_isotropic():
 
 
 def test_perfect_plasticity_keeps_the_yield_force():
-    force, history = follow([0.2, 0.1, 0.3], (K, FY, 0.0))
+    force, history = follow([0.2, 0.1, 0.3], ElastoplasticSpring(K, FY, 0.0))
     np.testing.assert_allclose(force, [FY, -FY, FY], rtol=1e-13)
     assert history[0] == pytest.approx(0.3 - FY / K, rel=1e-12)
     assert history[1] == pytest.approx(

@@ -11,7 +11,7 @@ from vmharness.explicit.constraints.spc import Supports
 from vmharness.explicit.contact.contact import Contact
 from vmharness.explicit.elements.discrete.part import Discrete
 from vmharness.explicit.elements.mass import ELEMENT_MASS
-from vmharness.explicit.elements.shell._parts import shell_faces
+from vmharness.explicit.elements.shell import shell_faces
 from vmharness.explicit.loads.body import BodyLoad
 from vmharness.explicit.loads.node import NodalLoad
 from vmharness.explicit.loads.segment import Pressure

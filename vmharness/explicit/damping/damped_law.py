@@ -1,27 +1,27 @@
 """Stiffness damping of a law, for each state of stress: a damped law computes the stress of another law and adds to it.
 
-A damped law has the signature of the law that it holds (materials/elastic.py). Its constants are those of that law and,
-last, the number of its history variables; these are followed by the law's own stress, then beta.
+A damped law has the signature and the constants of the law that it holds (materials/_law.py). The history variables of
+that law are followed by its own stress, then beta.
 """
 
 from collections.abc import Callable
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from vmharness.explicit.kernels.compiled import specialise
+from vmharness.explicit.kernels.compiled import specialise, to_be_bound
 from vmharness.explicit.kernels.vector import inlined
 from vmharness.explicit.model.state import Array
 
-if TYPE_CHECKING:  # not this, but what `damped` binds
-    from vmharness.explicit.materials.elastic import plane_stress as law
+law = to_be_bound("law")
+VARIABLES = to_be_bound("VARIABLES")  # history variables of the law
 
 
 @cache
-def damped(around: Callable[..., Any], law: Callable[..., Any]) -> Callable[..., Any]:
-    """The damped law, compiled: `around` is one of those below."""
-    return specialise(around, law=law)
+def damped(around: Callable[..., Any], law: Callable[..., Any], variables: int) -> Callable[..., Any]:
+    """The damped law, compiled: `around` is one of those below; `variables`: history variables of the `law`."""
+    return specialise(around, law=law, VARIABLES=variables)
 
 
 def memory(beta: Array, points: int, history: int, stresses: int) -> Array:
@@ -42,7 +42,7 @@ def per_step(beta: float, dt: float) -> float:
 
 
 def plane_stress(
-    constants: tuple[Any, ...],
+    constants: Any,
     dt: float,
     dexx: float,
     deyy: float,
@@ -59,12 +59,12 @@ def plane_stress(
     stride: int,
 ) -> tuple[float, float, float, float, float, float]:
     """tau = s + beta (s - past s)/dt, and the strain through the thickness of the law."""
-    own = at + constants[-1] * stride
+    own = at + VARIABLES * stride
     pxx, pyy, pxy = history[own], history[own + stride], history[own + 2 * stride]
     pyz, pzx = history[own + 3 * stride], history[own + 4 * stride]
     rate = per_step(history[own + 5 * stride], dt)
     sxx, syy, sxy, syz, szx, dezz = law(
-        constants[:-1], dt, dexx, deyy, dexy, deyz, dezx, pxx, pyy, pxy, pyz, pzx, history, at, stride
+        constants, dt, dexx, deyy, dexy, deyz, dezx, pxx, pyy, pxy, pyz, pzx, history, at, stride
     )
     history[own], history[own + stride], history[own + 2 * stride] = sxx, syy, sxy
     history[own + 3 * stride], history[own + 4 * stride] = syz, szx
@@ -79,7 +79,7 @@ def plane_stress(
 
 
 def solid(
-    constants: tuple[Any, ...],
+    constants: Any,
     dt: float,
     dexx: float,
     deyy: float,
@@ -98,12 +98,12 @@ def solid(
     stride: int,
 ) -> tuple[float, float, float, float, float, float]:
     """tau = s + beta (s - past s)/dt."""
-    own = at + constants[-1] * stride
+    own = at + VARIABLES * stride
     pxx, pyy, pzz = history[own], history[own + stride], history[own + 2 * stride]
     pxy, pyz, pzx = history[own + 3 * stride], history[own + 4 * stride], history[own + 5 * stride]
     rate = per_step(history[own + 6 * stride], dt)
     sxx, syy, szz, sxy, syz, szx = law(
-        constants[:-1],
+        constants,
         dt,
         dexx,
         deyy,
@@ -133,12 +133,10 @@ def solid(
     )
 
 
-def uniaxial(
-    constants: tuple[Any, ...], dt: float, deps: float, t: float, history: Array, at: int, stride: int
-) -> float:
+def uniaxial(constants: Any, dt: float, deps: float, t: float, history: Array, at: int, stride: int) -> float:
     """tau = s + beta (s - past s)/dt."""
-    own = at + constants[-1] * stride
+    own = at + VARIABLES * stride
     past, rate = history[own], per_step(history[own + stride], dt)
-    s: float = law(constants[:-1], dt, deps, past, history, at, stride)
+    s: float = law(constants, dt, deps, past, history, at, stride)
     history[own] = s
     return s + rate * (s - past)

@@ -17,8 +17,36 @@ UNCOUNTED: dict[str, Any] = {**OPTIONS, "_nrt": False}
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 
+class UnboundError(TypeError):
+    """A kernel uses a name that `specialise` has to bind and has not bound."""
+
+
+class Unbound:
+    """A function, or a number, that `specialise` has to bind; a call of it raises UnboundError."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+
+    def __call__(self, *arguments: Any) -> Any:
+        """Raise UnboundError."""
+        raise UnboundError(
+            f"{self.name} is not bound: compile its caller by specialise(..., {self.name}=...)"
+        )
+
+
+def to_be_bound(name: str) -> Any:
+    """Mark the global `name` of a module as a function, or a number, that `specialise` binds."""
+    return Unbound(name)
+
+
 def compiled(function: Function, **options: Any) -> Function:
-    """Compile `function`; its compiled form is kept on disk for the next process."""
+    """Compile `function`; its compiled form is kept on disk for the next process.
+
+    Raises UnboundError if it uses a name that is not bound.
+    """
+    for name in function.__code__.co_names:
+        if isinstance(function.__globals__.get(name), Unbound):
+            raise UnboundError(f"{function.__module__}.{function.__qualname__}: {name} is not bound")
     kernel: Function = numba.njit(**options)(function)
     if kernel is not function:  # with NUMBA_DISABLE_JIT=1
         setattr(kernel, "_cache", Kept(kernel))  # noqa: B010
@@ -50,11 +78,23 @@ def inlined_counted(function: Callable[..., Any]) -> Any:
     return compiled(function, **OPTIONS, forceinline=True)
 
 
-def specialise(function: Callable[..., Any], **bound: Callable[..., Any]) -> Callable[..., Any]:
-    """Compile a copy of plain `function` in which the global names of `bound` stand for other kernels.
+def interpreted(kernel: Callable[..., Any]) -> Callable[..., Any]:
+    """The function that a kernel is compiled from; it also takes arrays where the kernel takes numbers."""
+    function: Callable[..., Any] = getattr(kernel, "py_func", kernel)
+    return function
 
-    An element kernel is written once and compiled for just the material laws that a deck uses.
+
+def specialise(function: Callable[..., Any], **bound: Any) -> Callable[..., Any]:
+    """Compile a copy of plain `function` in which the global names of `bound` stand for other kernels, or numbers.
+
+    An element kernel is written once and compiled for just the material laws that a deck uses. Raises TypeError for a
+    name that the function does not use, UnboundError for one that it needs and is not given.
     """
+    for name in bound:
+        if name not in function.__code__.co_names:
+            raise TypeError(
+                f"{function.__module__}.{function.__qualname__} has no global name {name} to bind"
+            )
     scope = {**function.__globals__, **bound}
     copy = types.FunctionType(function.__code__, scope, function.__name__, function.__defaults__)
     copy.__module__ = function.__module__

@@ -7,13 +7,10 @@ consecutive rows: node 1 x, y, z, node 2 x, y, z, ...
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.vector import Vector, inlined
-from vmharness.explicit.model.state import Array
-
-Indices = NDArray[np.intp]
+from vmharness.explicit.model.state import Array, Index
 
 LANES = 16  # LLVM does not vectorise shorter loops when it has to check that arrays are apart
 
@@ -33,7 +30,7 @@ def put(work: Array, row: int, e: int, a: Vector) -> None:
 
 
 @kernel
-def gather(field: Array, nodes: Indices, work: Array, row: int) -> None:
+def gather(field: Array, nodes: Index, work: Array, row: int) -> None:
     """Copy the vectors of a field (n, 3) at the `nodes` (corners * LANES,) into the buffer."""
     for e in range(LANES):
         for i in range(nodes.size // LANES):
@@ -43,7 +40,7 @@ def gather(field: Array, nodes: Indices, work: Array, row: int) -> None:
 
 
 @kernel
-def scatter(field: Array, nodes: Indices, count: int, work: Array, row: int) -> None:
+def scatter(field: Array, nodes: Index, count: int, work: Array, row: int) -> None:
     """Subtract internal forces (or moments) from a field (n, 3), element after element: the same sum every run."""
     for e in range(count):
         for i in range(nodes.size // LANES):

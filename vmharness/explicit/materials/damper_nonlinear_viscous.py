@@ -3,6 +3,8 @@
 The rate is half a step old, as in the linear dashpot: the motion is accurate to the first order in dt.
 """
 
+from typing import NamedTuple
+
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.mat.damper_nonlinear_viscous import MAT_DAMPER_NONLINEAR_VISCOUS
 from vmharness.explicit.kernels.vector import inlined
@@ -10,23 +12,34 @@ from vmharness.explicit.model.characteristic import Characteristic, characterist
 from vmharness.explicit.model.state import Array
 
 KEYWORD = MAT_DAMPER_NONLINEAR_VISCOUS
-
 HISTORY = {"spring": 0}
 
 
-def constants(deck: Deck, entry: Entry) -> Characteristic:
+class NonlinearDamper(NamedTuple):
+    """Force over the rate of elongation."""
+
+    curve: Characteristic
+
+
+def constants(deck: Deck, entry: Entry) -> NonlinearDamper:
     """The curve LCDR; raises DeckError unless it passes through the origin."""
-    return characteristic(deck, entry, "lcdr")
+    return NonlinearDamper(characteristic(deck, entry, "lcdr"))
 
 
-def bounds(constants: Characteristic) -> tuple[float, float]:
+def bounds(constants: NonlinearDamper) -> tuple[float, float]:
     """No stiffness, the steepest slope of the curve as damping."""
-    return 0.0, steepest(constants)
+    return 0.0, steepest(constants.curve)
 
 
 @inlined
 def spring(
-    constants: Characteristic, dt: float, elongation: float, rate: float, history: Array, at: int, stride: int
+    constants: NonlinearDamper,
+    dt: float,
+    elongation: float,
+    rate: float,
+    history: Array,
+    at: int,
+    stride: int,
 ) -> float:
     """f = LCDR(ddot)."""
-    return ordinate(constants, rate)
+    return ordinate(constants.curve, rate)

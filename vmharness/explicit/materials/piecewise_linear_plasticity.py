@@ -8,7 +8,7 @@ The curve is the first of these that the card gives; beyond its last point it go
 
 The static yield stress is scaled by a curve over the strain rate (LCSR), else after Cowper and Symonds (C, P). With
 VP = 1 the rate is that of the plastic strain, and what it adds is SIGY z, though LCSS or ES give Y; without SIGY, Y z.
-The laws are those of explicit/plasticity. Source: Hallquist, LS-DYNA Theory Manual, material model 24.
+The kernels are those of _plasticity. Source: Hallquist, LS-DYNA Theory Manual, material model 24.
 """
 
 import numpy as np
@@ -16,15 +16,18 @@ import numpy as np
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.define.curve import DEFINE_CURVE, points
 from vmharness.deck.keywords.mat.piecewise_linear_plasticity import EPS, ES, MAT_PIECEWISE_LINEAR_PLASTICITY
+from vmharness.explicit.materials._plasticity.constants import Plastic
 from vmharness.explicit.materials._plasticity.piecewise_linear import Curve, curve, line
 from vmharness.explicit.materials._plasticity.plane_stress import plane_stress
 from vmharness.explicit.materials._plasticity.rate import Rate, cowper_symonds
 from vmharness.explicit.materials._plasticity.solid import solid
 from vmharness.explicit.materials._plasticity.uniaxial import uniaxial
-from vmharness.explicit.materials.elastic import constants as elastic_constants
+from vmharness.explicit.materials.elastic import density, moduli
 from vmharness.explicit.model.state import Array
 
-__all__ = ["CHANNELS", "HISTORY", "KEYWORD", "constants", "plane_stress", "solid", "uniaxial"]
+__all__ = [
+    "CHANNELS", "HISTORY", "KEYWORD", "constants", "density", "moduli", "plane_stress", "solid", "uniaxial",
+]  # fmt: skip
 
 
 KEYWORD = MAT_PIECEWISE_LINEAR_PLASTICITY
@@ -33,16 +36,16 @@ HISTORY = {"plane_stress": 1, "solid": 1, "uniaxial": 1}
 CHANNELS = {"plastic-strain": 0}
 
 
-def constants(deck: Deck, entry: Entry) -> tuple[float, float, None, Curve, Rate | None]:
+def constants(deck: Deck, entry: Entry) -> Plastic:
     """E, nu, no kinematic hardening, Y and the rate's factor; raises DeckError for what is no yield curve."""
-    E, nu = elastic_constants(deck, entry)
+    E, nu = moduli(deck, entry)
     if entry.lcss:
         Y = _yield_curve(deck, entry)
     elif any(getattr(entry, name) for name in (*EPS, *ES)):
         Y = _pairs(entry)
     else:
         Y = _bilinear(entry, E)
-    return E, nu, None, Y, _rate(deck, entry)
+    return Plastic(E, nu, C=None, Y=Y, rate=_rate(deck, entry))
 
 
 def _bilinear(entry: Entry, E: float) -> Curve:

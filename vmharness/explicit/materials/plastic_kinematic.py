@@ -5,21 +5,24 @@ The slope ETAN of the uniaxial stress-strain curve gives the plastic modulus, wh
     E_p = E ETAN / (E - ETAN),   Y(p) = SIGY + BETA E_p p,   C = (1 - BETA) E_p
 
 Rates: Cowper and Symonds, if SRC and SRP are given: of the whole strain (VP = 0), or of the plastic strain (VP = 1),
-each in proportion to Y. The laws are those of explicit/plasticity.
+each in proportion to Y. The kernels are those of _plasticity.
 Source: R. D. Krieg, S. W. Key, Implementation of a time dependent plasticity theory into structural computer programs
 (1976); Hallquist, LS-DYNA Theory Manual, material model 3.
 """
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.mat.plastic_kinematic import MAT_PLASTIC_KINEMATIC
-from vmharness.explicit.materials._plasticity.piecewise_linear import Curve, line
+from vmharness.explicit.materials._plasticity.constants import Plastic
+from vmharness.explicit.materials._plasticity.piecewise_linear import line
 from vmharness.explicit.materials._plasticity.plane_stress import plane_stress
-from vmharness.explicit.materials._plasticity.rate import Rate, cowper_symonds
+from vmharness.explicit.materials._plasticity.rate import cowper_symonds
 from vmharness.explicit.materials._plasticity.solid import solid
 from vmharness.explicit.materials._plasticity.uniaxial import uniaxial
-from vmharness.explicit.materials.elastic import constants as elastic_constants
+from vmharness.explicit.materials.elastic import density, moduli
 
-__all__ = ["CHANNELS", "HISTORY", "KEYWORD", "constants", "plane_stress", "solid", "uniaxial"]
+__all__ = [
+    "CHANNELS", "HISTORY", "KEYWORD", "constants", "density", "moduli", "plane_stress", "solid", "uniaxial",
+]  # fmt: skip
 
 
 KEYWORD = MAT_PLASTIC_KINEMATIC
@@ -28,18 +31,18 @@ HISTORY = {"plane_stress": 6, "solid": 7, "uniaxial": 2}  # p, and the back stre
 CHANNELS = {"plastic-strain": 0}
 
 
-def constants(deck: Deck, entry: Entry) -> tuple[float, float, float, Curve, Rate | None]:
+def constants(deck: Deck, entry: Entry) -> Plastic:
     """E, nu, C, Y and the rate's factor; raises DeckError unless ETAN < E and BETA <= 1."""
-    E, nu = elastic_constants(deck, entry)
+    E, nu = moduli(deck, entry)
     if entry.etan >= E:
         raise entry.error("etan", f"must be less than E = {E:g}")
     if entry.beta > 1.0:
         raise entry.error("beta", "must lie between 0 (kinematic) and 1 (isotropic)")
     E_p = E * entry.etan / (E - entry.etan)
-    return (
+    return Plastic(
         E,
         nu,
-        (1.0 - entry.beta) * E_p,
-        line(entry.sigy, entry.beta * E_p),
-        cowper_symonds(entry, "src", "srp"),
+        C=(1.0 - entry.beta) * E_p,
+        Y=line(entry.sigy, entry.beta * E_p),
+        rate=cowper_symonds(entry, "src", "srp"),
     )

@@ -1,18 +1,19 @@
-"""*MAT_RIGID: the part is one rigid body. E and PR serve contact alone; there is no law, for there is no stress.
+"""*MAT_RIGID (020): the part is one rigid body, so it has no stress and no kernel. E and PR serve contact alone.
 
-CMO = 1 holds the body's centre and its rotations in global directions: CON1 and CON2 are codes like those of *NODE.
+CMO = 1 constrains the translation of the centre and the rotation of the body along global axes, as CON1 and CON2 say.
 """
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.mat.rigid import MAT_RIGID
+from vmharness.explicit.materials.elastic import density, moduli
+
+__all__ = ["CHANNELS", "HISTORY", "KEYWORD", "constants", "density", "moduli"]
 
 KEYWORD = MAT_RIGID
-
 HISTORY: dict[str, int] = {}
+CHANNELS: dict[str, int] = {}
 
 
-def constants(deck: Deck, entry: Entry) -> tuple[float, float]:
-    """Young's modulus E and Poisson's ratio, for contact; raises DeckError unless -1 < PR < 1/2."""
-    if not -1.0 < entry.pr < 0.5:
-        raise entry.error("pr", "must lie between -1 and 0.5")
-    return entry.e, entry.pr
+def constants(deck: Deck, entry: Entry) -> tuple[()]:
+    """None, since there is no kernel."""
+    return ()

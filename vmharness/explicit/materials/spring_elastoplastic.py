@@ -8,31 +8,40 @@ A force K (d - d_p) beyond the yield force is returned to it by the plastic elon
 its direction: exact for any size of step, since the path of a spring has no other direction.
 """
 
+from typing import NamedTuple
+
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.mat.spring_elastoplastic import MAT_SPRING_ELASTOPLASTIC
 from vmharness.explicit.kernels.vector import inlined
 from vmharness.explicit.model.state import Array
 
 KEYWORD = MAT_SPRING_ELASTOPLASTIC
-
 HISTORY = {"spring": 2}  # d_p, p
 
 
-def constants(deck: Deck, entry: Entry) -> tuple[float, float, float]:
+class ElastoplasticSpring(NamedTuple):
+    """Stiffness, yield force and hardening K KT / (K - KT)."""
+
+    K: float
+    FY: float
+    H: float
+
+
+def constants(deck: Deck, entry: Entry) -> ElastoplasticSpring:
     """K, FY and H; raises DeckError unless KT < K."""
     if not entry.kt < entry.k:
         raise entry.error("kt", f"must be less than K = {entry.k:g}")
-    return entry.k, entry.fy, entry.k * entry.kt / (entry.k - entry.kt)
+    return ElastoplasticSpring(entry.k, entry.fy, entry.k * entry.kt / (entry.k - entry.kt))
 
 
-def bounds(constants: tuple[float, float, float]) -> tuple[float, float]:
+def bounds(constants: ElastoplasticSpring) -> tuple[float, float]:
     """The elastic stiffness K, no damping."""
-    return constants[0], 0.0
+    return constants.K, 0.0
 
 
 @inlined
 def spring(
-    constants: tuple[float, float, float],
+    constants: ElastoplasticSpring,
     dt: float,
     elongation: float,
     rate: float,
@@ -41,7 +50,7 @@ def spring(
     stride: int,
 ) -> float:
     """f = K (d - d_p) after the return to |f| = FY + H p."""
-    k, fy, hardening = constants
+    k, fy, hardening = constants.K, constants.FY, constants.H
     trial = k * (elongation - history[at])
     excess = abs(trial) - fy - hardening * history[at + stride]
     if excess <= 0.0:

@@ -4,6 +4,8 @@ LCR is refused: it is said to be a factor of the force over the rate and to pass
 rest would bear nothing; how LS-DYNA means it is not established.
 """
 
+from typing import NamedTuple
+
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.mat.spring_nonlinear_elastic import MAT_SPRING_NONLINEAR_ELASTIC
 from vmharness.explicit.kernels.vector import inlined
@@ -11,23 +13,34 @@ from vmharness.explicit.model.characteristic import Characteristic, characterist
 from vmharness.explicit.model.state import Array
 
 KEYWORD = MAT_SPRING_NONLINEAR_ELASTIC
-
 HISTORY = {"spring": 0}
 
 
-def constants(deck: Deck, entry: Entry) -> Characteristic:
+class NonlinearSpring(NamedTuple):
+    """Force over elongation."""
+
+    curve: Characteristic
+
+
+def constants(deck: Deck, entry: Entry) -> NonlinearSpring:
     """The curve LCD; raises DeckError unless it passes through the origin."""
-    return characteristic(deck, entry, "lcd")
+    return NonlinearSpring(characteristic(deck, entry, "lcd"))
 
 
-def bounds(constants: Characteristic) -> tuple[float, float]:
+def bounds(constants: NonlinearSpring) -> tuple[float, float]:
     """The steepest slope of the curve, no damping."""
-    return steepest(constants), 0.0
+    return steepest(constants.curve), 0.0
 
 
 @inlined
 def spring(
-    constants: Characteristic, dt: float, elongation: float, rate: float, history: Array, at: int, stride: int
+    constants: NonlinearSpring,
+    dt: float,
+    elongation: float,
+    rate: float,
+    history: Array,
+    at: int,
+    stride: int,
 ) -> float:
     """f = LCD(d)."""
-    return ordinate(constants, elongation)
+    return ordinate(constants.curve, elongation)

@@ -12,7 +12,7 @@ from vmharness.deck import Entry
 from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.energy import KineticEnergy
 from vmharness.explicit.force import Elements, Force
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Index, State
 
 
 @dataclass
@@ -25,7 +25,7 @@ class Model:
     end_time: float
     end_cycle: int
     step_factor: float  # TSSFAC
-    order: NDArray[np.intp]  # (n,) rows in the order of their numbers
+    order: Index  # (n,) rows in the order of their numbers
     ncpu: int = 1  # threads that compute the elements
     dtmin: float = 0.0  # the run ends with an error below this fraction of its first step
     caps: list[Callable[[float], float]] = field(default_factory=list)  # t -> the longest step allowed
@@ -38,7 +38,7 @@ class Model:
     def __post_init__(self) -> None:
         self.kinetic = KineticEnergy(self.state)
 
-    def find(self, entry: Entry, name: str, ids: NDArray[np.int64], ground: bool = False) -> NDArray[np.intp]:
+    def find(self, entry: Entry, name: str, ids: NDArray[np.int64], ground: bool = False) -> Index:
         """Rows (m,) of the nodes `ids`, a column of `entry`; raises DeckError at the first that is no node.
 
         With `ground`, the number 0 is no node but the ground: row -1.
@@ -57,7 +57,7 @@ class Model:
         """How many rows are nodes of the deck."""
         return int(np.count_nonzero(self.ids > 0))
 
-    def corners(self, table: Entry, names: Sequence[str], ground: bool = False) -> NDArray[np.intp]:
+    def corners(self, table: Entry, names: Sequence[str], ground: bool = False) -> Index:
         """Rows (m, corners) of the nodes that the columns `names` of a table give; see `find`."""
         return np.column_stack([self.find(table, name, getattr(table, name), ground) for name in names])
 
@@ -68,12 +68,12 @@ class Model:
             raise entry.error(name, f"no *NODE {nid}", index)
         return row
 
-    def _nearest(self, ids: NDArray[np.int64] | int) -> NDArray[np.intp]:
+    def _nearest(self, ids: NDArray[np.int64] | int) -> Index:
         """Rows of `ids` where they are nodes, else of some other node."""
         place = np.searchsorted(self.ids, ids, sorter=self.order)
         return np.asarray(self.order[np.minimum(place, self.ids.size - 1)])
 
-    def add_mass(self, rows: NDArray[np.intp], mass: Array, inertia: Array | float = 0.0) -> None:
+    def add_mass(self, rows: Index, mass: Array, inertia: Array | float = 0.0) -> None:
         """Lump `mass` (m,) and `inertia` onto nodes; a row may come several times."""
         np.add.at(self.state.mass, rows, mass)
         np.add.at(self.state.inertia, rows, inertia)

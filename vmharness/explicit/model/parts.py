@@ -10,23 +10,23 @@ from vmharness.deck import Deck, Entry, Keyword
 from vmharness.deck.keywords.mat.rigid import MAT_RIGID
 from vmharness.deck.keywords.part import PART
 from vmharness.explicit.kernels.threads import shares
-from vmharness.explicit.materials._law import material_of
+from vmharness.explicit.materials import Moduli, continuum_law, material_of
 from vmharness.explicit.model.model import Model
-
-Index = NDArray[np.intp]
+from vmharness.explicit.model.state import Index
 
 
 @dataclass(frozen=True)
 class Part:
     """The elements of one kind (shells, solids, beams, ...) of one part."""
 
+    deck: Deck
     part: Entry
     section: Entry
     material: Entry
     eid: NDArray[np.int64]  # (ne,)
     nodes: Index  # (ne, corners) rows of the state's arrays; -1 is the ground
-    table: NDArray[np.intp]  # (ne,) which of `tables` has the element
-    row: NDArray[np.intp]  # (ne,) its row there
+    table: Index  # (ne,) which of `tables` has the element
+    row: Index  # (ne,) its row there
     tables: Sequence[Entry]
 
     @property
@@ -38,6 +38,16 @@ class Part:
     def rigid(self) -> bool:
         """Whether its material is *MAT_RIGID."""
         return self.material.keyword is MAT_RIGID
+
+    @property
+    def moduli(self) -> Moduli:
+        """E and nu of the material; raises DeckError for a value that is out of its range."""
+        return continuum_law(self.material).moduli(self.deck, self.material)
+
+    @property
+    def density(self) -> float:
+        """Mass per volume of the material."""
+        return continuum_law(self.material).density(self.deck, self.material)
 
     def only(self, chosen: NDArray[np.bool_], corners: int) -> "Part":
         """The `chosen` (ne,) of its elements, with the first of their corners."""
@@ -74,4 +84,4 @@ def parts(deck: Deck, model: Model, elements: Sequence[Keyword], sections: Keywo
         material = material_of(deck, part)
         for share in shares(chosen.size, model.ncpu):
             some = chosen[share]
-            yield Part(part, section, material, eid[some], nodes[some], number[some], row[some], tables)
+            yield Part(deck, part, section, material, eid[some], nodes[some], number[some], row[some], tables)

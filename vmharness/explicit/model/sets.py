@@ -1,15 +1,13 @@
 """Sets of the deck: nodes as rows of the state's arrays, parts as numbers."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.set.node import SET_NODE_GENERAL, SET_NODE_LIST, SET_NODE_LIST_GENERATE
 from vmharness.deck.keywords.set.part import SET_PART_LIST
 from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.state import Index
 from vmharness.explicit.rigid.definitions import body_numbers
-
-Index = NDArray[np.intp]
 
 
 def node_set(deck: Deck, model: Model, entry: Entry, field: str) -> Index:

@@ -7,12 +7,7 @@ of the body are sums over these nodes, as in LS-DYNA: a coarsely meshed body has
 import numpy as np
 
 from vmharness.deck import Deck
-from vmharness.explicit.elements.beam._parts import beam_parts, lengths
-from vmharness.explicit.elements.shell._parts import shell_parts, thickness
-from vmharness.explicit.elements.shell.belytschko_tsay.mass import area as quadrilateral
-from vmharness.explicit.elements.shell.c0_triangle.mass import area as triangle
-from vmharness.explicit.elements.solid._gradient import measures
-from vmharness.explicit.elements.solid._parts import SUPPORTED, solid_parts
+from vmharness.explicit.elements import beam, shell, solid
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part
 from vmharness.explicit.model.state import Array
@@ -20,23 +15,22 @@ from vmharness.explicit.model.state import Array
 
 def build(deck: Deck, model: Model) -> None:
     """Lump the mass of all elements of rigid parts at their nodes."""
-    x = model.x0
-    for corners, area in ((4, quadrilateral), (3, triangle)):
-        for part in shell_parts(deck, model, corners):
+    for corners in (4, 3):
+        for part in shell.shell_parts(deck, model, corners):
             if part.rigid:
-                _lump(model, part, thickness(part) * area(x[part.nodes]))
-    for elform in SUPPORTED:
-        for part in solid_parts(deck, model, elform):
+                _lump(model, part, shell.volume(part, model.x0))
+    for elform in solid.ELFORMS:
+        for part in solid.solid_parts(deck, model, elform):
             if part.rigid:
-                _lump(model, part, measures(x[part.nodes])[0])
-    for elform in (2, 3):
-        for part in beam_parts(deck, model, elform):
+                _lump(model, part, solid.volume(part, model.x0))
+    for elform in beam.ELFORMS:
+        for part in beam.beam_parts(deck, model, elform):
             if part.rigid:
-                _lump(model, part, part.section.a * lengths(part, x))
+                _lump(model, part, beam.volume(part, model.x0))
 
 
 def _lump(model: Model, part: Part, volume: Array) -> None:
     """Lump rho `volume` (ne,) in equal shares at the nodes of each element."""
     count = part.nodes.shape[1]
     for corner in part.nodes.T:
-        model.add_mass(corner, np.asarray(part.material.ro * volume / count))
+        model.add_mass(corner, np.asarray(part.density * volume / count))

@@ -90,7 +90,7 @@ class MassScaling:
         more = (phi - 1.0) * (1.0 + added)
         if not more.any():
             return
-        block.densify(phi)
+        block.scale_density(phi)
         added += more
         for corner in block.nodes.T:
             self.model.add_mass(corner, more * block.mass, more * block.inertia)

@@ -56,8 +56,8 @@ FAULTS = (
         text="Hardening is isotropic, whatever BETA says",
         kind="physics",
         module="vmharness.explicit.materials.plastic_kinematic",
-        sound="(1.0 - entry.beta) * E_p,\n        line(entry.sigy, entry.beta * E_p)",
-        faulty="0.0,\n        line(entry.sigy, E_p)",
+        sound="C=(1.0 - entry.beta) * E_p,\n        Y=line(entry.sigy, entry.beta * E_p)",
+        faulty="C=0.0,\n        Y=line(entry.sigy, E_p)",
         keywords=("MAT_PLASTIC_KINEMATIC", "MAT_003"),
     ),
     SolverFault(

@@ -9,7 +9,7 @@ from vmharness.deck import DeckError
 from vmharness.explicit.build import build
 from vmharness.explicit.elements.beam.truss import Truss
 from vmharness.explicit.loop import steps
-from vmharness.explicit.materials.elastic import uniaxial
+from vmharness.explicit.materials.elastic import Elastic, uniaxial
 from vmharness.explicit.model.state import State
 from vmharness.explicit.probes import probe
 
@@ -25,7 +25,7 @@ def at_rest(x):
 def trusses(x, nodes):
     nodes = np.array(nodes)
     length = np.linalg.norm(x[nodes[:, 1]] - x[nodes[:, 0]], axis=1)
-    return Truss("trusses", nodes, length, AREA, RHO, E, uniaxial, (E, 0.3))
+    return Truss("trusses", nodes, length, AREA, RHO, E, uniaxial, Elastic(E, 0.3))
 
 
 def drive(block, s, path):

@@ -5,13 +5,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from vmharness.explicit.elements.solid import Hexahedra, measures
 from vmharness.explicit.elements.solid import full as hexa_full
 from vmharness.explicit.elements.solid import one_point as hexa_one_point
-from vmharness.explicit.elements.solid._build import wave_modulus
-from vmharness.explicit.elements.solid._gradient import measures
-from vmharness.explicit.elements.solid._solids import Hexahedra
 from vmharness.explicit.elements.solid.one_point import Hourglass
-from vmharness.explicit.materials.elastic import solid
+from vmharness.explicit.materials import Moduli
+from vmharness.explicit.materials.elastic import Elastic, solid
 from vmharness.explicit.model.state import Array, State
 
 E, NU, RHO = 2.1e11, 0.3, 7850.0
@@ -42,14 +41,14 @@ def solids(
     viscous: tuple[float, float] = (0.0, 0.0),
 ) -> Hexahedra:
     """Elastic solids; without bulk viscosity unless asked for."""
-    modulus = wave_modulus(e, nu)
-    options = {"viscous": viscous, "constants": (e, nu)}
+    modulus = Moduli(e, nu).longitudinal
+    options = {"viscous": viscous, "constants": Elastic(e, nu)}
     if elform == 2:
-        return Hexahedra("solids", hexa_full.compiled, solid, nodes, x, rho, modulus, points=8, **options)
+        return Hexahedra("solids", hexa_full.step, solid, nodes, x, rho, modulus, points=8, **options)
     control = control or Hourglass()
     return Hexahedra(
         "solids",
-        hexa_one_point.compiled,
+        hexa_one_point.step,
         solid,
         nodes,
         x,

@@ -5,7 +5,7 @@ import pytest
 
 from vmharness.deck import DeckError, read, vocabulary, write_long
 from vmharness.explicit.build import build
-from vmharness.explicit.elements.solid._solids import Hexahedra
+from vmharness.explicit.elements.solid import Hexahedra
 from vmharness.explicit.loop import steps
 from vmharness.explicit.probes import ProbeError, probe
 

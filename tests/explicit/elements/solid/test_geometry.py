@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import approx_fprime
 
-from vmharness.explicit.elements.solid._gradient import at, largest_face, mean, measures
+from vmharness.explicit.elements.solid._gradient import at_point, largest_face, mean, measures
 from vmharness.explicit.elements.solid._pattern import nodal, patterns
 
 CUBE = np.array([
@@ -61,7 +61,7 @@ def test_mean_gradient_is_the_derivative_of_the_volume():
 def test_gradient_at_a_point():
     x, phi, p = distorted(8), np.random.default_rng(8).normal(size=(8, 3)), np.array([0.3, -0.5, 0.7])
     J = x.T @ shape_derivatives(p)
-    j, b = at(patterns(vectors(x)), *p)
+    j, b = at_point(patterns(vectors(x)), *p)
     assert j == pytest.approx(np.linalg.det(J))
     gradient = sum(np.outer(q, r) for q, r in zip(patterns(vectors(phi)), b, strict=True)) / j
     assert gradient == pytest.approx(phi.T @ shape_derivatives(p) @ np.linalg.inv(J))

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from vmharness.explicit.elements.solid._gradient import measures
+from vmharness.explicit.elements.solid import measures
 from vmharness.explicit.elements.solid.one_point import Hourglass, moduli
 
 A, DT, RATE = 0.2, 0.5, 1e-12  # so slow that the geometry stays

@@ -5,10 +5,11 @@ import pytest
 
 from vmharness.explicit.build import build
 from vmharness.explicit.elements.shell.belytschko_tsay import BelytschkoTsay
+from vmharness.explicit.elements.solid import Hexahedra
 from vmharness.explicit.elements.solid import one_point as hexa_one_point
-from vmharness.explicit.elements.solid._solids import Hexahedra
 from vmharness.explicit.loop import steps
-from vmharness.explicit.materials import plastic_kinematic
+from vmharness.explicit.materials import Moduli, plastic_kinematic
+from vmharness.explicit.materials._plasticity.constants import Plastic
 from vmharness.explicit.materials._plasticity.piecewise_linear import line
 from vmharness.explicit.model.state import State
 from vmharness.explicit.probes import probe
@@ -113,7 +114,7 @@ def turning(block, x, angle, dt=1.0, count=600):
     return block
 
 
-MATERIAL = dict(constants=(E, NU, 5.0, line(SIGY, 2.0), None))
+MATERIAL = dict(constants=Plastic(E, NU, 5.0, line(SIGY, 2.0), None))
 
 
 def test_back_stress_turns_with_a_solid():
@@ -122,9 +123,7 @@ def test_back_stress_turns_with_a_solid():
 
     def block():
         law = plastic_kinematic.solid
-        return Hexahedra(
-            "", hexa_one_point.compiled, law, np.arange(8)[None], x, 1.0, E, history=7, **MATERIAL
-        )
+        return Hexahedra("", hexa_one_point.step, law, np.arange(8)[None], x, 1.0, E, history=7, **MATERIAL)
 
     still, turned = turning(block(), x, 0.0), turning(block(), x, 2 * np.pi / 3)
     assert np.abs(still.history[0, 0, 1:]).max() > 0.05
@@ -137,7 +136,7 @@ def test_back_stress_turns_with_a_shell():
     def stress(angle):
         block = BelytschkoTsay(
             "", np.arange(4)[None], x, np.ones(1), 1.0, plastic_kinematic.plane_stress,
-            stiffness=(E, NU), history=6, channels=plastic_kinematic.CHANNELS, **MATERIAL,
+            moduli=Moduli(E, NU), history=6, channels=plastic_kinematic.CHANNELS, **MATERIAL,
         )  # fmt: skip
         turning(block, x, angle)
         return [

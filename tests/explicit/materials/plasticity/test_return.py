@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from vmharness.explicit.materials._plasticity.constants import Plastic
 from vmharness.explicit.materials._plasticity.piecewise_linear import curve, line
 
 HARDENING = {"none": (0.0, 0.0), "isotropic": (5.0, 0.0), "kinematic": (0.0, 5.0), "mixed": (3.0, 2.0)}
@@ -14,7 +15,7 @@ PLANE = [0, 1, 3, 4, 5]
 
 
 def constants(laws, H, C, rate=None):
-    return laws.E, laws.NU, C or None, line(laws.SIGY, H), rate
+    return Plastic(laws.E, laws.NU, C or None, line(laws.SIGY, H), rate)
 
 
 def path(legs, steps):
@@ -149,7 +150,7 @@ def test_curve_in_uniaxial_stress(laws, steps):
     """s = Y(e - s/E), found from the points of the curve: with corners passed in one step, and beyond the last point."""
     p, y = np.array([0.0, 0.01, 0.03, 0.1, 0.2]), np.array([0.3, 0.4, 0.45, 0.5, 0.52])
     for strain in (0.009, 0.02, 0.09, 0.15, 0.5):
-        c = (laws.E, laws.NU, None, curve(p, y), None)
+        c = Plastic(laws.E, laws.NU, None, curve(p, y), None)
         stress, history = laws.run("uniaxial", c, np.full(steps, strain / steps))
         total = p + y / laws.E  # the points as strain, with the last slope carried on
         slope = (y[-1] - y[-2]) / (total[-1] - total[-2])
@@ -169,12 +170,12 @@ def test_any_number_of_points(laws, points):
         ("plane", (LEGS * HALVES)[:, PLANE]),
         ("uniaxial", LEGS[:, 0]),
     ):
-        one = laws.run(law, (laws.E, laws.NU, None, straight, None), legs)[0]
+        one = laws.run(law, Plastic(laws.E, laws.NU, None, straight, None), legs)[0]
         two = laws.run(law, constants(laws, 2.0, 0.0), legs)[0]
         assert one == pytest.approx(two, rel=1e-12, abs=1e-14)
     steep = curve(p, 0.3 + np.sqrt(p))
     for law, legs in (("solid", LEGS * HALVES), ("plane", (LEGS * HALVES)[:, PLANE])):
-        stress, history, *_ = laws.run(law, (laws.E, laws.NU, None, steep, None), path(legs, 20))
+        stress, history, *_ = laws.run(law, Plastic(laws.E, laws.NU, None, steep, None), path(legs, 20))
         tensor = stress[-1] if law == "solid" else np.insert(stress[-1], 2, 0.0)
         assert von_mises(tensor) == pytest.approx(np.interp(history[0], p, 0.3 + np.sqrt(p)), rel=1e-12)
 
@@ -210,7 +211,7 @@ def test_uniaxial_cycle(laws, beta):
     """To the strain 0.02 and back: reverse yield at s_max - 2 Y(p), which is -s_max or s_max - 2 SIGY; slope Et on it."""
     Et = 2.0
     Ep = laws.E * Et / (laws.E - Et)
-    c = (laws.E, laws.NU, (1 - beta) * Ep, line(laws.SIGY, beta * Ep), None)
+    c = Plastic(laws.E, laws.NU, (1 - beta) * Ep, line(laws.SIGY, beta * Ep), None)
     strain = np.concatenate([np.linspace(0, 0.02, 2001), np.linspace(0.02, -0.02, 4001)[1:]])
     stress, _ = laws.run("uniaxial", c, np.diff(strain))
     peak = laws.SIGY + Et * (0.02 - laws.SIGY / laws.E)

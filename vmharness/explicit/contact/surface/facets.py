@@ -15,9 +15,8 @@ from numpy.typing import NDArray
 
 from vmharness.deck import Deck
 from vmharness.explicit.contact.surface.faces import area_vectors, faces_of_solids, outside
-from vmharness.explicit.elements.shell._parts import shell_parts, thickness
-from vmharness.explicit.elements.solid._gradient import measures
-from vmharness.explicit.elements.solid._parts import SUPPORTED, solid_parts
+from vmharness.explicit.elements.shell import shell_parts, thickness
+from vmharness.explicit.elements.solid import ELFORMS, solid_parts, volume
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Index, Part
 from vmharness.explicit.model.state import Array
@@ -71,10 +70,10 @@ def _shells(deck: Deck, model: Model) -> Iterator[Facets]:
 
 
 def _solids(deck: Deck, model: Model) -> Iterator[Facets]:
-    for elform in SUPPORTED:
+    for elform in ELFORMS:
         for part in solid_parts(deck, model, elform):
             nodes, solid = faces_of_solids(part.nodes)
-            depth = measures(model.x0[part.nodes])[0][solid] / area(model.x0[nodes])
+            depth = volume(part, model.x0)[solid] / area(model.x0[nodes])
             stiffness = bulk_modulus(part) * area(model.x0[nodes]) / depth
             yield _of_part(part, nodes, stiffness, np.zeros(solid.size), depth, solid, shell=False)
 
@@ -82,16 +81,16 @@ def _solids(deck: Deck, model: Model) -> Iterator[Facets]:
 def _of_part(
     part: Part, nodes: Index, penalty: Array, thickness: Array, depth: Array, element: Index, shell: bool
 ) -> Facets:
-    count, rigid = element.size, part.material.keyword.name == "MAT_RIGID"
+    count = element.size
     return Facets(
-        nodes, penalty, thickness, depth, np.full(count, shell), np.full(count, rigid),
+        nodes, penalty, thickness, depth, np.full(count, shell), np.full(count, part.rigid),
         np.full(count, part.pid), part.eid[element],
     )  # fmt: skip
 
 
 def bulk_modulus(part: Part) -> float:
     """K = E / (3 (1 - 2 nu)) of the part's material."""
-    return float(part.material.e / (3.0 * (1.0 - 2.0 * part.material.pr)))
+    return part.moduli.bulk
 
 
 def area(corners: Array) -> Array:

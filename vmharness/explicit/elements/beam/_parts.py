@@ -11,6 +11,8 @@ from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part, parts
 from vmharness.explicit.model.state import Array
 
+ELFORMS = {2: "Belytschko-Schwer beam", 3: "truss"}
+
 
 def beam_parts(deck: Deck, model: Model, elform: int) -> Iterator[Part]:
     """Every part of beams with this formulation."""
@@ -25,6 +27,11 @@ def lengths(part: Part, x: Array) -> Array:
     for i in np.flatnonzero(length == 0.0):
         raise _error(part, int(i), "n2", "lies where the first node is: the element has no length")
     return np.asarray(length)
+
+
+def volume(part: Part, x: Array) -> Array:
+    """Area of the section times length (ne,) at coordinates `x` (n, 3)."""
+    return np.asarray(part.section.a * lengths(part, x))
 
 
 def orientations(part: Part, model: Model) -> Array:

@@ -28,16 +28,17 @@ from numpy.typing import NDArray
 from vmharness.deck import Deck
 from vmharness.explicit.damping.damped_law import damped, memory, uniaxial
 from vmharness.explicit.elements.beam._parts import beam_parts, lengths
-from vmharness.explicit.kernels.compiled import specialise
-from vmharness.explicit.kernels.simd import LANES, Indices, by_block, by_element, put, vector
+from vmharness.explicit.kernels.compiled import specialise, to_be_bound
+from vmharness.explicit.kernels.simd import LANES, by_block, by_element, put, vector
 from vmharness.explicit.kernels.vector import add, dot, scale, subtract
-from vmharness.explicit.materials._law import law_of
-from vmharness.explicit.materials._plasticity.long_curves import looks_ahead, with_law
-from vmharness.explicit.materials.elastic import uniaxial as law
+from vmharness.explicit.materials import Uniaxial, law_of
+from vmharness.explicit.materials._plasticity.long_curves import has_long_curve, with_law
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Index, State
 
 NAME = "truss"
+
+law: Uniaxial = to_be_bound("law")
 
 ELFORM = 3
 
@@ -52,19 +53,19 @@ def build(deck: Deck, model: Model) -> None:
     for part in beam_parts(deck, model, ELFORM):
         if part.rigid:
             continue
-        material, area, length = part.material, part.section.a, lengths(part, model.x0)
-        module = law_of(material, "uniaxial", part.part)
+        area, length = part.section.a, lengths(part, model.x0)
+        module = law_of(part.material, "uniaxial", part.part)
         block = Truss(
             name=f"trusses of part {part.pid}",
             nodes=part.nodes,
             length=length,
             area=area,
-            density=material.ro,
-            modulus=material.e,
+            density=part.density,
+            modulus=part.moduli.E,
             law=module.uniaxial,
-            constants=module.constants(deck, material),
+            constants=module.constants(deck, part.material),
             history=module.HISTORY["uniaxial"],
-            channels=getattr(module, "CHANNELS", {}),
+            channels=module.CHANNELS,
             eid=part.eid,
             pid=part.pid,
         )
@@ -86,7 +87,7 @@ class Truss:
     def __init__(
         self,
         name: str,
-        nodes: Indices,
+        nodes: Index,
         length: Array,
         area: float,
         density: float,
@@ -111,25 +112,18 @@ class Truss:
         self._work = np.zeros(ROWS * LANES)
         self._shortest = np.inf
         self.energy = {"internal": np.zeros(1)}
-        self._law, self._step = law, _compiled(law, looks_ahead(constants))
+        self._law, self._step = law, _compiled(law, has_long_curve(constants))
 
     def add(self, state: State) -> None:
         """Add forces at t_n, and the work of the step that led there."""
         self._shortest = self._step(
-            state.x,
-            state.v,
-            state.dt,
-            self._nodes,
-            self.elements,
-            self._area,
-            self._length,
+            state.x, state.v, state.dt,
+            self._nodes, self.elements, self._area, self._length,
             self._constants,
-            self._stress,
-            self._history,
-            state.f,
-            self.energy["internal"],
+            self._stress, self._history,
+            state.f, self.energy["internal"],
             self._work,
-        )
+        )  # fmt: skip
 
     def stable_step(self) -> float:
         """The smallest sqrt(L L_0) / c at the geometry of the last `add`."""
@@ -140,7 +134,7 @@ class Truss:
         now = np.linalg.norm(x[self.nodes[:, 1]] - x[self.nodes[:, 0]], axis=1)
         return np.asarray(np.sqrt(now * by_element(self._length, self.elements)[:, 0]) / self._wave_speed)
 
-    def densify(self, factor: Array) -> None:
+    def scale_density(self, factor: Array) -> None:
         """Raise the densities by `factor` (ne,): waves are slower, as if bars had been longer at the beginning."""
         self._length[:] = by_block(by_element(self._length, self.elements) * factor[:, None])
 
@@ -148,8 +142,7 @@ class Truss:
         """Add to the stress of the law `beta` (ne,) times its rate; to be asked for before the first step."""
         history = self._history.shape[-1] // LANES
         self._history = by_block(memory(beta, 1, history, 1)[:, 0])
-        self._step = _compiled(damped(uniaxial, self._law), looks_ahead(self._constants))
-        self._constants = (*self._constants, history)
+        self._step = _compiled(damped(uniaxial, self._law, history), has_long_curve(self._constants))
 
     def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
         """`axial-stress`, `axial-force` (tension positive) or a channel of the law; `element`: its place in `eid`."""
@@ -165,8 +158,8 @@ class Truss:
 
 
 @cache
-def _compiled(law: Callable[..., Any], ahead: bool) -> Callable[..., float]:
-    return specialise(step, stretch=with_law(stretch, law, ahead))
+def _compiled(law: Callable[..., Any], long_curve: bool) -> Callable[..., float]:
+    return specialise(step, stretch=with_law(stretch, law, long_curve))
 
 
 def stretch(
@@ -174,7 +167,7 @@ def stretch(
     dt: float,
     area: float,
     length: Array,
-    constants: tuple[float, ...],
+    constants: Any,
     stress: Array,
     history: Array,
 ) -> None:
@@ -195,18 +188,24 @@ def stretch(
 
 
 def step(
+    # state
     x: Array,
     v: Array,
     dt: float,
-    nodes: Indices,
+    # elements
+    nodes: Index,
     elements: int,
     area: float,
     length: Array,
-    constants: tuple[float, ...],
+    # material
+    constants: Any,
+    # elements, in and out
     stress: Array,
     history: Array,
+    # out
     f: Array,
     energy: Array,
+    # buffer
     work: Array,
 ) -> float:
     """Bring stresses to t_n, add forces there, and the step's work to `energy` (1,); the smallest L L_0.

@@ -10,7 +10,7 @@ from vmharness.deck.keywords.define.sd_orientation import DEFINE_SD_ORIENTATION
 from vmharness.deck.keywords.element.discrete import ELEMENT_DISCRETE
 from vmharness.deck.keywords.section.discrete import SECTION_DISCRETE
 from vmharness.explicit.elements.discrete.part import ABOUT, ALONG, Discrete, Orientation
-from vmharness.explicit.materials._law import law_of
+from vmharness.explicit.materials import law_of
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part, parts
 from vmharness.explicit.model.state import Array

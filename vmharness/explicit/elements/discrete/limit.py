@@ -21,15 +21,14 @@ either alone has 2 k/m.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.state import Array, Index
 
 HALVINGS = 60  # of the interval in which the step lies: to round-off
 
 
 def stable_step(
-    nodes: NDArray[np.intp], stiffness: Array, damping: Array, mass: Array, taken: Array | None = None
+    nodes: Index, stiffness: Array, damping: Array, mass: Array, taken: Array | None = None
 ) -> float:
     """The largest dt that satisfies the inequality above for all elements.
 
@@ -53,7 +52,7 @@ def stable_step(
     return low
 
 
-def _step_alone(nodes: NDArray[np.intp], stiffness: Array, damping: Array, mass: Array) -> float:
+def _step_alone(nodes: Index, stiffness: Array, damping: Array, mass: Array) -> float:
     """2/(D/2 + sqrt(D^2/4 + W))."""
     inverse = np.divide(1.0, mass, out=np.zeros_like(mass), where=mass > 0.0)
     moving = nodes >= 0

@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 from vmharness.explicit.elements.discrete import step
 from vmharness.explicit.elements.discrete.limit import stable_step
 from vmharness.explicit.kernels.compiled import specialise
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Index, State
 
 ALONG, ABOUT = 0, 1  # DRO
 
 # Unit vectors (ne, 3), zero where there is none; and (ne, 3): two nodes or -1 for the direction between them, and
 # whether the axis is the projection on the plane normal to the one or the other.
-Orientation = tuple[Array, NDArray[np.intp]]
+Orientation = tuple[Array, Index]
 
 
 class Discrete:
@@ -35,7 +35,7 @@ class Discrete:
         name: str,
         pid: int,
         eid: NDArray[np.int64],
-        nodes: NDArray[np.intp],
+        nodes: Index,
         orientation: Orientation,
         limits: tuple[float, float],
         size: Array,
@@ -60,7 +60,7 @@ class Discrete:
         self._limit = np.inf
         self._step = _compiled(step.step, law.spring)
         if offset.any():
-            _compiled(step.load, law.spring)(
+            _compiled(step.preload, law.spring)(
                 offset, size, constants, limits[0], self.elongation, self.force, self._history, self._energy
             )
 
@@ -76,23 +76,12 @@ class Discrete:
             taken = np.where(mass == own, self.taken, 0.0)
             self._limit = stable_step(self.nodes, self.demand[0], self.demand[1], mass, taken)
         self._step(
-            state.x,
-            state.v,
-            state.omega if self.about else state.v,
-            state.dt,
-            self.nodes,
-            self._direction,
-            self._guide,
-            self._size,
-            self._constants,
-            self._limits,
-            self._broken,
-            self.elongation,
-            self.force,
-            self._history,
-            state.moment if self.about else state.f,
-            self._energy,
-        )
+            state.x, state.v, state.omega if self.about else state.v, state.dt,
+            self.nodes, self._direction, self._guide, self._size,
+            self._constants, self._limits,
+            self._broken, self.elongation, self.force, self._history,
+            state.moment if self.about else state.f, self._energy,
+        )  # fmt: skip
 
     def stable_step(self) -> float:
         """The limit of the nodes that these elements join, from the bounds of the laws: the same at all times."""

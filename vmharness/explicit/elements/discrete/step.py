@@ -1,19 +1,22 @@
 """One step of the discrete elements of a part; arrays are of its elements (ne), vectors of nodes are (n, 3)."""
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
+from vmharness.explicit.kernels.compiled import to_be_bound
 from vmharness.explicit.kernels.vector import Vector, add, dot, inlined, scale, subtract
-from vmharness.explicit.materials.spring_elastic import spring as law
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.materials import Spring
+from vmharness.explicit.model.state import Array, Index
 
-Index = NDArray[np.intp]
+law: Spring = to_be_bound("law")
 
 PIECES = 1000  # of the way from the unloaded state to OFFSET
 
 
 @inlined
-def of_node(field: Array, node: int) -> Vector:
+def nodal_vector(field: Array, node: int) -> Vector:
     """The vector of a node; zero for the ground, -1."""
     if node < 0:
         return 0.0, 0.0, 0.0
@@ -21,9 +24,9 @@ def of_node(field: Array, node: int) -> Vector:
 
 
 @inlined
-def between(field: Array, ends: Index) -> Vector:
+def relative(field: Array, ends: Index) -> Vector:
     """The vector of node 2 minus that of node 1."""
-    return subtract(of_node(field, ends[1]), of_node(field, ends[0]))
+    return subtract(nodal_vector(field, ends[1]), nodal_vector(field, ends[0]))
 
 
 @inlined
@@ -32,14 +35,14 @@ def axes(x: Array, v: Array, dt: float, ends: Index, direction: Array, guide: In
     fixed = (direction[0], direction[1], direction[2])
     if dot(fixed, fixed) > 0.0 and guide[2] == 0:
         return fixed, fixed
-    now, w = between(x, ends), fixed
-    before = subtract(now, scale(dt, between(v, ends)))
+    now, w = relative(x, ends), fixed
+    before = subtract(now, scale(dt, relative(v, ends)))
     w_before = w
     if guide[0] >= 0:
-        w = between(x, guide)
-        w_before = subtract(w, scale(dt, between(v, guide)))
+        w = relative(x, guide)
+        w_before = subtract(w, scale(dt, relative(v, guide)))
     if guide[2] == 1:
-        now, before = projected(now, w), projected(before, w_before)
+        now, before = project(now, w), project(before, w_before)
     elif guide[0] >= 0:
         now, before = w, w_before
     length_now, length_before = np.sqrt(dot(now, now)), np.sqrt(dot(before, before))
@@ -47,47 +50,52 @@ def axes(x: Array, v: Array, dt: float, ends: Index, direction: Array, guide: In
 
 
 @inlined
-def projected(r: Vector, w: Vector) -> Vector:
+def project(r: Vector, w: Vector) -> Vector:
     """r - (r . w) w / (w . w)."""
     return subtract(r, scale(dot(r, w) / dot(w, w), w))
 
 
 @inlined
-def borne(elongation: float, clearance: float) -> float:
-    """What the law sees of the elongation: with a clearance min(d + CL, 0)."""
+def effective_elongation(elongation: float, clearance: float) -> float:
+    """The elongation that the law gets: min(d + CL, 0) with a clearance, else d."""
     return min(elongation + clearance, 0.0) if clearance > 0.0 else elongation
 
 
 def step(
+    # state
     x: Array,
     v: Array,
     motion: Array,
     dt: float,
+    # elements
     nodes: Index,
     direction: Array,
     guide: Index,
-    size: Array,
-    constants: tuple[float, ...],
+    scale_factor: Array,
+    # material
+    constants: Any,
     limits: tuple[float, float],
+    # elements, in and out
     broken: NDArray[np.bool_],
     elongation: Array,
     force: Array,
     history: Array,
-    push: Array,
+    # out
+    loads: Array,
     energy: Array,
 ) -> None:
     """Elongation, force and work 1/2 (f_{n-1} + f_n) dt ddot of each element; the forces go to its nodes.
 
-    `motion` and `push` are v and f of nodes, or omega and moment for torsional elements; `size` is S; `limits` are CL
-    and FD; `direction` and `guide`: see part.py.
+    `motion` and `loads` are v and f of nodes, or omega and moment for torsional elements; `scale_factor` is S; `limits`
+    are CL and FD; `direction` and `guide`: see part.py.
     """
     clearance, failure = limits
     for i in range(nodes.shape[0]):
         e, m = axes(x, v, dt, nodes[i], direction[i], guide[i])
-        rate = dot(between(motion, nodes[i]), m)
+        rate = dot(relative(motion, nodes[i]), m)
         elongation[i] += dt * rate
-        d = borne(elongation[i], clearance)
-        f = size[i] * law(constants, dt, d, rate, history, i, nodes.shape[0])
+        d = effective_elongation(elongation[i], clearance)
+        f = scale_factor[i] * law(constants, dt, d, rate, history, i, nodes.shape[0])
         if failure * elongation[i] > failure * failure:
             broken[i] = True
         if broken[i]:
@@ -95,15 +103,15 @@ def step(
         energy[0] += 0.5 * (force[i] + f) * dt * rate
         force[i] = f
         for j in range(3):
-            push[nodes[i, 0], j] += f * e[j]
+            loads[nodes[i, 0], j] += f * e[j]
             if nodes[i, 1] >= 0:
-                push[nodes[i, 1], j] -= f * e[j]
+                loads[nodes[i, 1], j] -= f * e[j]
 
 
-def load(
+def preload(
     offset: Array,
-    size: Array,
-    constants: tuple[float, ...],
+    scale_factor: Array,
+    constants: Any,
     clearance: float,
     elongation: Array,
     force: Array,
@@ -114,8 +122,8 @@ def load(
     for i in range(offset.size):
         increment = offset[i] / PIECES
         for piece in range(1, PIECES + 1):
-            d = borne(piece * increment, clearance)
-            f = size[i] * law(constants, 0.0, d, 0.0, history, i, offset.size)
+            d = effective_elongation(piece * increment, clearance)
+            f = scale_factor[i] * law(constants, 0.0, d, 0.0, history, i, offset.size)
             energy[0] += 0.5 * (force[i] + f) * increment
             force[i] = f
         elongation[i] = offset[i]

@@ -1,11 +1,18 @@
-"""What the shells share: the law at points through the thickness, its change, one step of many elements, the force.
+"""Shells: what the formulations share.
 
-    rows.py        how elements lie in the buffer of explicit/kernels/simd.py
-    point.py       a material's law at one height of every element
-    thickness.py   that follows the strain through it (ISTUPD)
-    step.py        one step of many elements, from the stages of a kind
-    kind.py        what a kind of shell has of its own: geometry, rates, forces, mass, length
-    part.py        the shells of a part as a force; build.py: from the deck
+    _parts.py         the shells of the deck, part by part, with thickness, area and volume
+    _build.py         a part of the deck -> its force and its mass
+    _shells.py        the shells of a part as a force
+    _formulation.py   interface of a formulation: geometry, mass, strain, hourglass control, nodal force
+    _step.py          one step of many elements, in the stages of a formulation
+    _point.py         the law of the material at one height of every element
+    _thickness.py     change of thickness (ISTUPD)
+    _chord.py         finite rotation of an element in one step
+    _rows.py          rows of the elements in the buffer of kernels/simd.py
 
-The kinds are in elements/shell_belytschko_tsay and elements/shell_c0_triangle.
+The formulations are belytschko_tsay/ and c0_triangle/.
 """
+
+from vmharness.explicit.elements.shell._parts import area, shell_faces, shell_parts, thickness, volume
+
+__all__ = ["area", "shell_faces", "shell_parts", "thickness", "volume"]

@@ -7,7 +7,7 @@ from vmharness.deck.keywords.control.shell import CONTROL_SHELL
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.explicit.elements.shell._parts import thickness
 from vmharness.explicit.elements.shell._shells import Shells
-from vmharness.explicit.materials._law import law_of
+from vmharness.explicit.materials import law_of
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part
 
@@ -21,28 +21,28 @@ def add_part(deck: Deck, model: Model, part: Part, name: str, shells: Callable[.
     """
     if part.rigid:
         return
-    material, section, timestep = part.material, part.section, deck.first(CONTROL_TIMESTEP)
+    section, timestep = part.section, deck.first(CONTROL_TIMESTEP)
     control = deck.first(CONTROL_SHELL)
     if section.elform != ELFORM:
         raise section.error("elform", f"not implemented; supported: {ELFORM} (Belytschko-Tsay)")
     t = thickness(part)
-    law = law_of(material, "plane_stress", part.part)
+    law = law_of(part.material, "plane_stress", part.part)
     try:
         block = shells(
             name=f"{name} of part {part.pid}",
             nodes=part.nodes,
             x=model.x0,
             thickness=t,
-            density=material.ro,
+            density=part.density,
             law=law.plane_stress,
-            constants=law.constants(deck, material),
-            stiffness=(material.e, material.pr),
+            constants=law.constants(deck, part.material),
+            moduli=part.moduli,
             nip=section.nip,
             shrf=section.shrf,
             isdo=timestep.isdo if timestep else 0,
             thinning=bool(control and control.istupd),
             history=law.HISTORY["plane_stress"],
-            channels=getattr(law, "CHANNELS", {}),
+            channels=law.CHANNELS,
             eid=part.eid,
             pid=part.pid,
         )

@@ -1,4 +1,4 @@
-"""Shells of the deck, part by part, with their thickness."""
+"""Shells of the deck, part by part, with their thickness, area and volume."""
 
 from collections.abc import Iterator
 
@@ -33,6 +33,20 @@ def shell_faces(deck: Deck, model: Model) -> Index:
     return np.concatenate([
         *(part.nodes for part in shell_parts(deck, model, 4)), *triangles, np.zeros((0, 4), np.intp)
     ])  # fmt: skip
+
+
+def area(corners: Array) -> Array:
+    """Area (ne,) of shells with `corners` (ne, 4, 3) or (ne, 3, 3): |r13 x r24| / 2, |r21 x r31| / 2."""
+    a, b = (0, 2), (1, 3)
+    if corners.shape[1] == 3:
+        a, b = (1, 0), (2, 0)
+    first, second = (corners[:, i] - corners[:, j] for i, j in (a, b))
+    return np.asarray(0.5 * np.linalg.norm(np.cross(first, second), axis=1))
+
+
+def volume(part: Part, x: Array) -> Array:
+    """Thickness times area (ne,) at coordinates `x` (n, 3)."""
+    return thickness(part) * area(x[part.nodes])
 
 
 def thickness(part: Part) -> Array:

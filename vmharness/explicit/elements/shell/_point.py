@@ -1,10 +1,15 @@
 """The stress at one height of many shells, and its share of the resultants."""
 
+from typing import Any
+
 from vmharness.explicit.elements.shell._rows import AREA, CURVATURE, MEMBRANE, SHEAR, THINNING, WORK, M, N, S
+from vmharness.explicit.kernels.compiled import to_be_bound
 from vmharness.explicit.kernels.simd import LANES, put, vector
 from vmharness.explicit.kernels.vector import add, scale
-from vmharness.explicit.materials.elastic import plane_stress as law
+from vmharness.explicit.materials import PlaneStress
 from vmharness.explicit.model.state import Array
+
+law: PlaneStress = to_be_bound("law")
 
 
 def stress_at_point(
@@ -14,7 +19,7 @@ def stress_at_point(
     zeta: float,
     weight: float,
     shrf: float,
-    constants: tuple[float, ...],
+    constants: Any,
     stress: Array,
     history: Array,
 ) -> None:

@@ -8,22 +8,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.explicit.damping.damped_law import damped, memory, plane_stress
-from vmharness.explicit.elements.shell._kind import Kind, compiled_lengths, compiled_step
+from vmharness.explicit.elements.shell._formulation import Formulation, compiled_lengths, compiled_step
+from vmharness.explicit.elements.shell._parts import area
 from vmharness.explicit.elements.shell._rows import DENSITY_ROOT, ROWS, THICKNESS
-from vmharness.explicit.kernels.simd import LANES, Indices, by_block, by_element
-from vmharness.explicit.materials._plasticity.long_curves import looks_ahead
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.kernels.simd import LANES, by_block, by_element
+from vmharness.explicit.materials import Moduli
+from vmharness.explicit.materials._plasticity.long_curves import has_long_curve
+from vmharness.explicit.model.state import Array, Index, State
 
 STRESSES = ("xx", "yy", "xy", "yz", "zx")
 
 
 class Shells:
-    """Shells of one part and kind: a force with the energies "internal" and "hourglass".
+    """Shells of one part and one formulation: a force with the energies "internal" and "hourglass".
 
     `nodes (ne, corners)`: rows of the state's arrays; `x (n, 3)`: initial coordinates; `thickness (ne,)`; `law` and its
-    `constants`, with `history` variables per point: see materials/elastic.py; `channels`: names of some of these;
-    `stiffness`: E and nu for the stable step; `nip`: Gauss points through the thickness, 1 to 10; `shrf`: shear factor
-    kappa; `thinning`: the thickness follows the strain through it; `moduli()` (ne, m) of hourglass control, with
+    `constants`, with `history` variables per point: see materials/_law.py; `channels`: names of some of these;
+    `moduli`: for the stable step; `nip`: Gauss points through the thickness, 1 to 10; `shrf`: shear factor
+    kappa; `thinning`: the thickness follows the strain through it; `hourglass_moduli()` (ne, m), with
     `forces` numbers in an element, and whether `viscous`. Consistent units.
     Raises ValueError for a shape or an option that the element does not know.
     """
@@ -32,15 +34,15 @@ class Shells:
 
     def __init__(
         self,
-        shape: Kind,
+        formulation: Formulation,
         name: str,
-        nodes: Indices,
+        nodes: Index,
         x: Array,
         thickness: Array,
         density: float,
         law: Callable[..., Any],
         constants: tuple[Any, ...],
-        stiffness: tuple[float, float],
+        moduli: Moduli,
         nip: int = 2,
         shrf: float = 1.0,
         isdo: int = 0,
@@ -49,14 +51,14 @@ class Shells:
         channels: Mapping[str, int] | None = None,
         eid: NDArray[np.int64] | None = None,
         pid: int | None = None,
-        moduli: Callable[[], Array] | None = None,
+        hourglass_moduli: Callable[[], Array] | None = None,
         viscous: bool = False,
         forces: int = 0,
     ) -> None:
-        _check(shape, nodes, x, thickness, nip, isdo)
+        _check(formulation, nodes, x, thickness, nip, isdo)
         elements = len(nodes)
         self.nodes = nodes
-        self.mass, self.inertia = shape.nodal_mass(x[nodes], thickness, density, stiffness[1], shrf)
+        self.mass, self.inertia = formulation.nodal_mass(x[nodes], thickness, density, moduli.nu, shrf)
 
         self.name, self.pid = name, pid
         self.eid = np.arange(1, elements + 1) if eid is None else eid
@@ -64,45 +66,33 @@ class Shells:
         self._channels = dict(channels or {})
         self._shrf, self._constants = float(shrf), constants
         self._viscous, self._thinning = viscous, thinning
-        self._wave_speed = wave_speed(stiffness, density, isdo)
+        self._wave_speed = wave_speed(moduli, density, isdo)
         self._length = np.inf
         self._points = np.stack(np.polynomial.legendre.leggauss(nip), axis=1)
         self._nodes = by_block(nodes.astype(np.intp))
-        unscaled, none = np.ones(elements), np.zeros((elements, 0))
-        self._section = by_block(np.column_stack([thickness, unscaled, moduli() if moduli else none]))
+        unscaled = np.ones(elements)
+        resistance = hourglass_moduli() if hourglass_moduli else np.zeros((elements, 0))
+        self._section = by_block(np.column_stack([thickness, unscaled, resistance]))
         self._stress = by_block(np.zeros((elements, nip, 5)))
         self._hourglass = by_block(np.zeros((elements, forces)))
         self._history = by_block(np.zeros((elements, nip, history)))
         self._work = np.zeros(ROWS * LANES)
         self._energy = np.zeros(2)
         self.energy = {"internal": self._energy[:1], "hourglass": self._energy[1:]}
-        self._shape, self._law, self._isdo = shape, law, isdo
-        self._step = compiled_step(shape, law, looks_ahead(constants), isdo)
-        self._lengths = compiled_lengths(shape, isdo)
+        self._formulation, self._law, self._isdo = formulation, law, isdo
+        self._step = compiled_step(formulation, law, has_long_curve(constants), isdo)
+        self._lengths = compiled_lengths(formulation, isdo)
 
     def add(self, state: State) -> None:
         """Add forces and moments at t_n, and the work of the step that led there."""
         self._length = self._step(
-            state.x,
-            state.v,
-            state.omega,
-            state.dt,
-            self._nodes,
-            self.elements,
-            self._section,
-            self._points,
-            self._shrf,
-            self._thinning,
-            self._constants,
-            self._stress,
-            self._history,
-            self._viscous,
-            self._hourglass,
-            state.f,
-            state.moment,
-            self._energy,
+            state.x, state.v, state.omega, state.dt,
+            self._nodes, self.elements, self._section,
+            self._points, self._shrf, self._thinning, self._viscous, self._constants,
+            self._stress, self._history, self._hourglass,
+            state.f, state.moment, self._energy,
             self._work,
-        )
+        )  # fmt: skip
 
     def stable_step(self) -> float:
         """The shortest L_s / c at the geometry of the last `add`."""
@@ -114,7 +104,7 @@ class Shells:
         self._lengths(x, self._nodes, self._work, lengths)
         return lengths * by_element(self._section, self.elements)[:, DENSITY_ROOT] / self._wave_speed
 
-    def densify(self, factor: Array) -> None:
+    def scale_density(self, factor: Array) -> None:
         """Raise the densities by `factor` (ne,)."""
         section = by_element(self._section, self.elements).copy()
         section[:, DENSITY_ROOT] *= np.sqrt(factor)
@@ -124,9 +114,8 @@ class Shells:
         """Add to the stress of the law `beta` (ne,) times its rate; to be asked for before the first step."""
         history = self._history.shape[-1] // LANES
         self._history = by_block(memory(beta, self.nip, history, len(STRESSES)))
-        law, ahead = damped(plane_stress, self._law), looks_ahead(self._constants)
-        self._constants = (*self._constants, history)
-        self._step = compiled_step(self._shape, law, ahead, self._isdo)
+        law = damped(plane_stress, self._law, history)
+        self._step = compiled_step(self._formulation, law, has_long_curve(self._constants), self._isdo)
 
     @property
     def stress(self) -> Array:
@@ -154,30 +143,30 @@ class Shells:
         return lambda: values[place]
 
 
-def wave_speed(stiffness: tuple[float, float], density: float, isdo: int) -> float:
-    """Speed c that goes with the length of ISDO; `stiffness`: E and nu; consistent units.
+def wave_speed(moduli: Moduli, density: float, isdo: int) -> float:
+    """Speed of sound c that goes with the length of ISDO; consistent units.
 
         ISDO 0, 1   c = sqrt(E / (rho (1 - nu^2)))        ISDO 2   c = sqrt(E / rho)
 
-    >>> round(wave_speed((210.0, 0.3), 7.8e-6, 0), 2)
+    >>> round(wave_speed(Moduli(210.0, 0.3), 7.8e-6, 0), 2)
     5439.28
     """
-    E, nu = stiffness
+    E, nu = moduli
     return sqrt(E / density) if isdo == 2 else sqrt(E / (density * (1 - nu * nu)))
 
 
-def _check(shape: Kind, nodes: Indices, x: Array, thickness: Array, nip: int, isdo: int) -> None:
+def _check(formulation: Formulation, nodes: Index, x: Array, thickness: Array, nip: int, isdo: int) -> None:
     """Refuse what the element cannot do."""
     if not 1 <= nip <= 10:
         raise ValueError(f"NIP = {nip}: 1 to 10 points through the thickness are supported")
-    if isdo not in range(len(shape.lengths)):
+    if isdo not in range(len(formulation.lengths)):
         raise ValueError(f"ISDO = {isdo}: 0, 1 and 2 are supported")
     if not len(nodes):
         raise ValueError("no shells")
     sorted_nodes = np.sort(nodes, axis=1)
     for wrong, what in (
         (np.any(sorted_nodes[:, 1:] == sorted_nodes[:, :-1], axis=1), "has a node twice"),
-        (~(shape.area(x[nodes]) > 0), "has no area"),
+        (~(area(x[nodes]) > 0), "has no area"),
         (~(thickness > 0), "has no thickness"),
     ):
         if np.any(wrong):

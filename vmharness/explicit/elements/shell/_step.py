@@ -8,41 +8,50 @@ block is filled up with copies of the last element, which add neither force nor 
 The stages `strain`, `hourglass_force` and `force` are those of the kind of shell; `stress_at_point` has the law.
 """
 
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
 from vmharness.explicit.elements.shell._rows import HOURGLASS_WORK, LENGTH, MOMENT, OMEGA, WORK, F, V, X
-from vmharness.explicit.elements.shell._thickness import thin
-from vmharness.explicit.kernels.simd import LANES, Indices, gather, scatter
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.elements.shell._thickness import update_thickness
+from vmharness.explicit.kernels.compiled import to_be_bound
+from vmharness.explicit.kernels.simd import LANES, gather, scatter
+from vmharness.explicit.model.state import Array, Index
 
-if TYPE_CHECKING:  # not these, but what shell/kind.py binds
-    from vmharness.explicit.elements.shell._point import stress_at_point
-    from vmharness.explicit.elements.shell.belytschko_tsay.lanes import corners
-    from vmharness.explicit.elements.shell.belytschko_tsay.length import by_side as length
-    from vmharness.explicit.elements.shell.belytschko_tsay.step import force, hourglass_force, strain
+# The stages of a formulation, and the material's law at a point: see _kind.py.
+strain = to_be_bound("strain")
+stress_at_point = to_be_bound("stress_at_point")
+hourglass_force = to_be_bound("hourglass_force")
+force = to_be_bound("force")
+load_corners = to_be_bound("load_corners")
+length = to_be_bound("length")
 
 
 def step(
+    # state
     x: Array,
     v: Array,
     omega: Array,
     dt: float,
-    nodes: Indices,
+    # elements
+    nodes: Index,
     elements: int,
     section: Array,
+    # formulation and material
     points: Array,
     shrf: float,
     thinning: bool,
-    constants: tuple[float, ...],
+    viscous: bool,
+    constants: Any,
+    # elements, in and out
     stress: Array,
     history: Array,
-    viscous: bool,
     hourglass: Array,
+    # out
     f: Array,
     moment: Array,
     energy: Array,
+    # buffer
     work: Array,
 ) -> float:
     """Bring stresses to t_n, add forces and moments there, and the step's work to `energy`; the shortest L_s.
@@ -63,7 +72,7 @@ def step(
                 work, dt, section[block], zeta, weight, shrf, constants, stress[block, p], history[block, p]
             )
         if thinning:
-            thin(work, section[block])
+            update_thickness(work, section[block])
         hourglass_force(work, dt, section[block], viscous, hourglass[block])
         force(work, section[block])
         count = min(LANES, elements - block * LANES)
@@ -78,9 +87,9 @@ def step(
     return shortest
 
 
-def lengths(x: Array, nodes: Indices, work: Array, out: Array) -> None:
+def lengths(x: Array, nodes: Index, work: Array, out: Array) -> None:
     """L_s (ne,) of each element; `x (n, 3)`, `nodes (blocks, corners rows)`."""
     for block in range(len(nodes)):
         gather(x, nodes[block], work, X)
         for e in range(min(LANES, len(out) - block * LANES)):
-            out[block * LANES + e] = length(corners(work, X, e))
+            out[block * LANES + e] = length(load_corners(work, X, e))

@@ -14,7 +14,7 @@ from vmharness.explicit.model.state import Array
 
 
 @kernel
-def thin(work: Array, section: Array) -> None:
+def update_thickness(work: Array, section: Array) -> None:
     """Bring thickness, resultants and work of LANES elements to the end of the step."""
     for e in range(LANES):
         half = 0.5 * work[THINNING * LANES + e]

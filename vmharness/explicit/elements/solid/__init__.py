@@ -1,13 +1,20 @@
-"""What the solids of eight nodes share: geometry in patterns, the frame that turns, bulk viscosity, the stable step.
+"""Solids of eight nodes: what the formulations share.
 
-    pattern.py     the motion of the nodes as seven patterns
-    gradient.py    volume, gradients, sides
-    motion.py      first stage of a step: patterns, mean velocity gradient at mid-step, the element's frame
-    strain.py      strain increments in that frame
-    stress.py      a material's law at one point of every element
-    viscosity.py   bulk viscosity and the stable step
-    rows.py        how all this lies in the buffer of explicit/kernels/simd.py
-    part.py        the solids of a part as a force; channel.py: what is read of their stress; build.py: from the deck
+    _parts.py       the solids of the deck, part by part, with volume and bulk viscosity
+    _build.py       a part of the deck -> its force and its mass
+    _solids.py      the solids of a part as a force; _channel.py: the components of stress that a probe shows
+    _pattern.py     the motion of the nodes as load_patterns patterns
+    _gradient.py    volume, gradients, faces
+    _motion.py      first stages of a step: patterns, mean velocity gradient, rotating frame, mean strain
+    _stress.py      the law of the material at one point of every element
+    _viscosity.py   bulk viscosity and the stable step
+    _rows.py        rows of the elements in the buffer of kernels/simd.py
 
-The formulations are in elements/hexa_one_point and elements/hexa_full.
+The formulations are one_point/ and full/.
 """
+
+from vmharness.explicit.elements.solid._gradient import measures
+from vmharness.explicit.elements.solid._parts import ELFORMS, solid_parts, volume
+from vmharness.explicit.elements.solid._solids import Hexahedra
+
+__all__ = ["ELFORMS", "Hexahedra", "measures", "solid_parts", "volume"]

@@ -6,36 +6,26 @@ from typing import Any
 from vmharness.deck import Deck
 from vmharness.explicit.elements.solid._parts import bulk_viscosity
 from vmharness.explicit.elements.solid._solids import Hexahedra
-from vmharness.explicit.materials._law import law_of
+from vmharness.explicit.materials import law_of
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part
 
 
-def wave_modulus(e: float, nu: float) -> float:
-    """rho c^2 = E (1 - nu) / ((1 + nu) (1 - 2 nu)) of dilatational waves.
-
-    >>> round(wave_modulus(1.0, 0.25), 12)
-    1.2
-    """
-    return e * (1 - nu) / ((1 + nu) * (1 - 2 * nu))
-
-
-def add_part(deck: Deck, model: Model, part: Part, compiled: Callable[..., Any], **formulation: Any) -> None:
-    """Add the force of a part and its lumped mass; `compiled` makes the compiled step for a law."""
-    material = part.material
-    law = law_of(material, "solid", part.part)
+def add_part(deck: Deck, model: Model, part: Part, step: Callable[..., float], **formulation: Any) -> None:
+    """Add the force of a part and its lumped mass; `step` is that of its formulation."""
+    law = law_of(part.material, "solid", part.part)
     block = Hexahedra(
         name=f"solids of part {part.pid}",
-        compiled=compiled,
+        step=step,
         law=law.solid,
         nodes=part.nodes,
         x=model.x0,
-        density=material.ro,
-        modulus=wave_modulus(material.e, material.pr),
-        constants=law.constants(deck, material),
+        density=part.density,
+        modulus=part.moduli.longitudinal,
+        constants=law.constants(deck, part.material),
         viscous=bulk_viscosity(deck, part.part),
         history=law.HISTORY["solid"],
-        channels=getattr(law, "CHANNELS", {}),
+        channels=law.CHANNELS,
         eid=part.eid,
         pid=part.pid,
         **formulation,

@@ -1,9 +1,10 @@
-"""What can be read of a solid's stress."""
+"""Components of a solid's stress that a probe shows."""
 
 from collections.abc import Callable
 
 import numpy as np
 
+from vmharness.explicit.kernels.compiled import interpreted
 from vmharness.explicit.kernels.rotation import rotation_matrix
 from vmharness.explicit.model.state import Array
 
@@ -11,21 +12,23 @@ COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "zx")
 PLACES = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
 
 
-def stress_in_space(stress: Array, turn: Array) -> Array:
-    """Stress (..., points, 6) or (6,) in space, of that in the frames `turn` (..., 4) or (4,).
+def stress_in_space(stress: Array, quaternion: Array) -> Array:
+    """Stress (..., points, 6) or (6,) in space, from that in the frames of unit quaternions (..., 4) or (4,).
 
     >>> stress_in_space(np.array([5.0, 0, 0, 0, 0, 0]), np.array([0.5**0.5, 0, 0, 0.5**0.5])).round(12) + 0.0
     array([0., 5., 0., 0., 0., 0.])
     """
-    s, a, b, c = np.moveaxis(turn, -1, 0)
-    R = np.moveaxis(np.array(rotation_matrix.py_func(s, (a, b, c))), (0, 1), (-1, -2))  # columns are the axes
+    s, a, b, c = np.moveaxis(quaternion, -1, 0)
+    R = np.moveaxis(
+        np.array(interpreted(rotation_matrix)(s, (a, b, c))), (0, 1), (-1, -2)
+    )  # columns are the axes
     S = np.empty((*stress.shape[:-1], 3, 3))
     for k, (i, j) in enumerate(PLACES):
         S[..., i, j] = S[..., j, i] = stress[..., k]
-    if stress.ndim > turn.ndim:
+    if stress.ndim > quaternion.ndim:
         R = R[..., None, :, :]
-    turned = R @ S @ np.swapaxes(R, -1, -2)
-    return np.stack([turned[..., i, j] for i, j in PLACES], axis=-1)
+    rotated = R @ S @ np.swapaxes(R, -1, -2)
+    return np.stack([rotated[..., i, j] for i, j in PLACES], axis=-1)
 
 
 def pressure(s: Array) -> float:

@@ -40,7 +40,7 @@ def mean(x: Patterns) -> tuple[float, Means]:
 
 
 @inlined
-def at(x: Patterns, xi: float, eta: float, zeta: float) -> tuple[float, Patterns]:
+def at_point(x: Patterns, xi: float, eta: float, zeta: float) -> tuple[float, Patterns]:
     """j and b_k, k = 1 to 7, at a point."""
     x1, x2, x3, x4, x5, x6, x7 = x
     g1 = add(add(x1, scale(eta, x6)), add(scale(zeta, x5), scale(eta * zeta, x7)))

@@ -1,7 +1,7 @@
-"""First stage of a hexahedron's step: patterns, mean velocity gradient at mid-step, and the frame that turns with it.
+"""First stages of a hexahedron's step: patterns, mean velocity gradient, rotating frame, mean strain.
 
-x_{n-1/2} = x_n - dt/2 v_{n-1/2}, in patterns as in nodes. The frame turns with the mean spin (turn.py). Each of the
-three loops vectorises; as one they would not.
+x_{n-1/2} = x_n - dt/2 v_{n-1/2}, of patterns as of nodes. The frame rotates with the mean spin (kernels/rotation.py).
+Each of the loops vectorises; in one loop they would not.
 """
 
 from vmharness.explicit.elements.solid._gradient import mean, mean_velocity_gradient
@@ -10,19 +10,25 @@ from vmharness.explicit.elements.solid._rows import (
     GRADIENT,
     MIDDLE,
     NOW,
-    TURN,
+    ROTATION,
+    STRAIN,
     VOLUME,
     WORK,
     V,
     X,
-    nodes,
-    put_seven,
-    put_tensor,
-    seven,
-    tensor,
+    load_nodes,
+    load_patterns,
+    load_tensor,
+    store_patterns,
+    store_tensor,
 )
 from vmharness.explicit.kernels.compiled import kernel
-from vmharness.explicit.kernels.rotation import half_rotation, rotate_quaternion, rotation_matrix
+from vmharness.explicit.kernels.rotation import (
+    half_rotation,
+    rotate_quaternion,
+    rotation_matrix,
+    strain_in_frame,
+)
 from vmharness.explicit.kernels.simd import LANES, put, vector
 from vmharness.explicit.kernels.vector import add, inlined, scale
 from vmharness.explicit.model.state import Array
@@ -49,37 +55,46 @@ def motion(work: Array, dt: float, kept: Array) -> None:
     to_patterns(work, X)
     to_patterns(work, V)
     gradient(work, dt)
-    turn(work, dt, kept)
+    rotate_frame(work, dt, kept)
 
 
 @kernel
 def to_patterns(work: Array, row: int) -> None:
     """Patterns 1 to 7 in place of the nodes from `row` on."""
     for e in range(LANES):
-        put_seven(work, row, e, patterns(nodes(work, row, e)))
+        store_patterns(work, row, e, patterns(load_nodes(work, row, e)))
 
 
 @kernel
 def gradient(work: Array, dt: float) -> None:
     """VOLUME and GRADIENT at mid-step."""
     for e in range(LANES):
-        v = seven(work, V, e)
-        volume, b = mean(at_mid_step(seven(work, X, e), v, dt))
-        put_tensor(work, GRADIENT, e, mean_velocity_gradient(v, volume, b))
+        v = load_patterns(work, V, e)
+        volume, b = mean(at_mid_step(load_patterns(work, X, e), v, dt))
+        store_tensor(work, GRADIENT, e, mean_velocity_gradient(v, volume, b))
         work[VOLUME * LANES + e] = volume
         work[WORK * LANES + e] = 0.0
 
 
 @kernel
-def turn(work: Array, dt: float, kept: Array) -> None:
-    """The frame turns by the mean spin: its axes at mid-step in MIDDLE, at the end in NOW."""
+def rotate_frame(work: Array, dt: float, kept: Array) -> None:
+    """Rotate the frame by the mean spin: its axes at mid-step in MIDDLE, at the end of the step in NOW."""
     for e in range(LANES):
-        L = tensor(work, GRADIENT, e)
+        L = load_tensor(work, GRADIENT, e)
         spin = (L[2][1] - L[1][2], L[0][2] - L[2][0], L[1][0] - L[0][1])
         t = half_rotation(scale(0.25 * dt, spin))
-        s, u = rotate_quaternion(kept[TURN * LANES + e], vector(kept, TURN + 1, e), t)
-        put_tensor(work, MIDDLE, e, rotation_matrix(s, u))
+        s, u = rotate_quaternion(kept[ROTATION * LANES + e], vector(kept, ROTATION + 1, e), t)
+        store_tensor(work, MIDDLE, e, rotation_matrix(s, u))
         s, u = rotate_quaternion(s, u, t)
-        put_tensor(work, NOW, e, rotation_matrix(s, u))
-        kept[TURN * LANES + e] = s
-        put(kept, TURN + 1, e, u)
+        store_tensor(work, NOW, e, rotation_matrix(s, u))
+        kept[ROTATION * LANES + e] = s
+        put(kept, ROTATION + 1, e, u)
+
+
+@kernel
+def mean_strain(work: Array, dt: float) -> None:
+    """STRAIN = dt D of the mean velocity gradient."""
+    for e in range(LANES):
+        normal, shear = strain_in_frame(load_tensor(work, MIDDLE, e), load_tensor(work, GRADIENT, e))
+        put(work, STRAIN, e, scale(dt, normal))
+        put(work, STRAIN + 3, e, scale(dt, shear))

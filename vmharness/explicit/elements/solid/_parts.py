@@ -1,4 +1,4 @@
-"""Solids of the deck, part by part, with what rules their bulk viscosity and hourglass control."""
+"""Solids of the deck, part by part, with their volume and bulk viscosity."""
 
 from collections.abc import Iterator
 
@@ -12,20 +12,26 @@ from vmharness.deck.keywords.section.solid import SECTION_SOLID
 from vmharness.explicit.elements.solid._gradient import measures
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part, parts
+from vmharness.explicit.model.state import Array
 
 Q1, Q2 = 1.5, 0.06
-SUPPORTED = {1: "one point", 2: "fully integrated"}  # by ELFORM
+ELFORMS = {1: "one point", 2: "fully integrated"}
 
 
 def solid_parts(deck: Deck, model: Model, elform: int) -> Iterator[Part]:
     """Every part that has solids of this formulation; raises DeckError for what no formulation can do."""
     for part in parts(deck, model, (ELEMENT_SOLID,), SECTION_SOLID):
-        if part.section.elform not in SUPPORTED:
-            able = ", ".join(f"{number} ({what})" for number, what in SUPPORTED.items())
+        if part.section.elform not in ELFORMS:
+            able = ", ".join(f"{number} ({what})" for number, what in ELFORMS.items())
             raise part.section.error("elform", f"not implemented; supported: {able}")
         if part.section.elform == elform:
             _check_shapes(part, model)
             yield part
+
+
+def volume(part: Part, x: Array) -> Array:
+    """Volume (ne,) at coordinates `x` (n, 3)."""
+    return measures(x[part.nodes])[0]
 
 
 def bulk_viscosity(deck: Deck, part: Entry) -> tuple[float, float]:
@@ -45,8 +51,7 @@ def _check_shapes(part: Part, model: Model) -> None:
     for i in np.flatnonzero((different < 8) & ~wedge).tolist():
         what = "a tetrahedron" if different[i] == 4 else "nodes repeat"
         raise _error(part, i, f"{what}; supported: eight different nodes, and wedges n1 n2 n3 n4 n5 n5 n6 n6")
-    volume, _, _ = measures(model.x0[n])
-    for i in np.flatnonzero(~(volume > 0.0)).tolist():
+    for i in np.flatnonzero(~(volume(part, model.x0) > 0.0)).tolist():
         raise _error(
             part, i, "the solid has no volume, or is inside out: nodes 1 to 4, seen from 5 to 8, turn left"
         )

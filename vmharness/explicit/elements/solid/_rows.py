@@ -23,14 +23,14 @@ FORCES, TENSION = (
 ROWS = 120
 
 # What an element keeps: its frame, its bulk viscosity, the hourglass forces of patterns 4 to 7 in the frame.
-TURN, VISCOSITY, RESISTANCE = 0, 4, 5
+ROTATION, VISCOSITY, RESISTANCE = 0, 4, 5
 KEPT = 17
 
 MASS, MODULUS = 0, 1  # of an element, which do not change
 
 
 @inlined
-def nodes(work: Array, row: int, e: int) -> Nodes:
+def load_nodes(work: Array, row: int, e: int) -> Nodes:
     """The vectors at the eight nodes of element e."""
     return (
         vector(work, row, e),
@@ -45,7 +45,7 @@ def nodes(work: Array, row: int, e: int) -> Nodes:
 
 
 @inlined
-def put_nodes(work: Array, row: int, e: int, a: Nodes) -> None:
+def store_nodes(work: Array, row: int, e: int, a: Nodes) -> None:
     """Store the vectors at the eight nodes of element e."""
     put(work, row, e, a[0])
     put(work, row + 3, e, a[1])
@@ -58,7 +58,7 @@ def put_nodes(work: Array, row: int, e: int, a: Nodes) -> None:
 
 
 @inlined
-def seven(work: Array, row: int, e: int) -> Patterns:
+def load_patterns(work: Array, row: int, e: int) -> Patterns:
     """Patterns 1 to 7 of element e."""
     return (
         vector(work, row, e),
@@ -72,7 +72,7 @@ def seven(work: Array, row: int, e: int) -> Patterns:
 
 
 @inlined
-def put_seven(work: Array, row: int, e: int, a: Patterns) -> None:
+def store_patterns(work: Array, row: int, e: int, a: Patterns) -> None:
     """Store patterns 1 to 7 of element e."""
     put(work, row, e, a[0])
     put(work, row + 3, e, a[1])
@@ -84,13 +84,13 @@ def put_seven(work: Array, row: int, e: int, a: Patterns) -> None:
 
 
 @inlined
-def tensor(work: Array, row: int, e: int) -> Triad:
+def load_tensor(work: Array, row: int, e: int) -> Triad:
     """Nine rows of element e."""
     return vector(work, row, e), vector(work, row + 3, e), vector(work, row + 6, e)
 
 
 @inlined
-def put_tensor(work: Array, row: int, e: int, a: Triad) -> None:
+def store_tensor(work: Array, row: int, e: int, a: Triad) -> None:
     """Store nine rows of element e."""
     put(work, row, e, a[0])
     put(work, row + 3, e, a[1])

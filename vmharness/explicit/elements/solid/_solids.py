@@ -9,21 +9,21 @@ from numpy.typing import NDArray
 from vmharness.explicit.damping.damped_law import damped, memory, solid
 from vmharness.explicit.elements.solid._channel import CHANNELS, COMPONENTS, stress_in_space
 from vmharness.explicit.elements.solid._gradient import measures
-from vmharness.explicit.elements.solid._rows import KEPT, MASS, MODULUS, ROWS, TURN
-from vmharness.explicit.kernels.simd import LANES, Indices, by_block, by_element
-from vmharness.explicit.materials._plasticity.long_curves import looks_ahead
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.elements.solid._rows import KEPT, MASS, MODULUS, ROTATION, ROWS
+from vmharness.explicit.elements.solid._stress import compiled_step
+from vmharness.explicit.kernels.simd import LANES, by_block, by_element
+from vmharness.explicit.materials._plasticity.long_curves import has_long_curve
+from vmharness.explicit.model.state import Array, Index, State
 
 
 class Hexahedra:
     """Solids of one part: a force with the energies "internal" and "hourglass".
 
-    `compiled`: what makes the compiled step of the formulation for a `law` and whether it looks ahead; `nodes (ne, 8)`:
-    rows of the state's arrays; `x (n, 3)`: initial coordinates; `density`; `modulus`: rho c^2 =
-    E (1 - nu) / ((1 + nu) (1 - 2 nu)); `constants` of the law with `history` variables per point, see
-    materials/elastic.py, `channels`: names of some of these; `points` in an element; `viscous`: Q1 and Q2 of bulk
-    viscosity; `resistance (ne,)`: moduli of hourglass control and `hourglass`, whether viscous and whether projected.
-    Consistent units.
+    `step`: that of the formulation, see one_point/step.py; `law`: kernel of the material, see materials/_law.py, with
+    its `constants` and `history` variables per point, `channels`: names of some of these; `nodes (ne, 8)`: rows of the
+    state's arrays; `x (n, 3)`: initial coordinates; `density`; `modulus`: rho c^2 of dilatational waves; `points` in an
+    element; `viscous`: Q1 and Q2 of bulk viscosity; `resistance (ne,)`: moduli of hourglass control and `hourglass`,
+    whether viscous and whether projected. Consistent units.
     """
 
     kind = "solid"
@@ -31,9 +31,9 @@ class Hexahedra:
     def __init__(
         self,
         name: str,
-        compiled: Callable[[Callable[..., Any], bool], Callable[..., float]],
+        step: Callable[..., float],
         law: Callable[..., Any],
-        nodes: Indices,
+        nodes: Index,
         x: Array,
         density: float,
         modulus: float,
@@ -52,12 +52,13 @@ class Hexahedra:
         self.name, self.pid = name, pid
         self.eid = np.arange(1, elements + 1) if eid is None else eid
         self.elements, self.points = elements, points
-        self._compiled, self._law, self._step = compiled, law, compiled(law, looks_ahead(constants))
+        self._plain_step, self._law = step, law
+        self._step = compiled_step(step, law, has_long_curve(constants))
         self._modulus, self._constants = modulus, constants
         self._viscous, self._hourglass = viscous, hourglass
         self._stable = np.inf
         kept = np.zeros((elements, KEPT))
-        kept[:, TURN] = 1.0
+        kept[:, ROTATION] = 1.0
         self._kept = by_block(kept)
         self._nodes = by_block(nodes.astype(np.intp))
         self._fixed = by_block(np.column_stack([8 * self.mass, np.broadcast_to(resistance, elements)]))
@@ -72,23 +73,13 @@ class Hexahedra:
     def add(self, state: State) -> None:
         """Add forces at t_n, and the work of the step that led there."""
         self._stable = self._step(
-            state.x,
-            state.v,
-            state.dt,
-            self._nodes,
-            self.elements,
-            self._fixed,
-            self._kept,
-            self._modulus,
-            self._viscous,
-            self._hourglass,
-            self._constants,
-            self._stress,
-            self._history,
-            state.f,
-            self._energy,
+            state.x, state.v, state.dt,
+            self._nodes, self.elements, self._fixed,
+            self._modulus, self._viscous, self._hourglass, self._constants,
+            self._kept, self._stress, self._history,
+            state.f, self._energy,
             self._work,
-        )
+        )  # fmt: skip
 
     def stable_step(self) -> float:
         """The shortest L_e / (Q + sqrt(Q^2 + c^2)) at the last `add`, or less where hourglass control is strong."""
@@ -100,7 +91,7 @@ class Hexahedra:
         mass = by_element(self._fixed, self.elements)[:, MASS]
         return length * np.sqrt(mass / (self._modulus * volume))
 
-    def densify(self, factor: Array) -> None:
+    def scale_density(self, factor: Array) -> None:
         """Raise the densities by `factor` (ne,)."""
         fixed = by_element(self._fixed, self.elements).copy()
         fixed[:, MASS] *= factor
@@ -113,8 +104,8 @@ class Hexahedra:
         """Add to the stress of the law `beta` (ne,) times its rate; to be asked for before the first step."""
         history = self._history.shape[-1] // LANES
         self._history = by_block(memory(beta, self.points, history, len(COMPONENTS)))
-        self._step = self._compiled(damped(solid, self._law), looks_ahead(self._constants))
-        self._constants = (*self._constants, history)
+        law = damped(solid, self._law, history)
+        self._step = compiled_step(self._plain_step, law, has_long_curve(self._constants))
 
     def _overshoot(self) -> float:
         """The longest step at which a viscous hourglass force does not reverse the rate: 2 m q / Q."""
@@ -129,7 +120,7 @@ class Hexahedra:
     def stress(self) -> Array:
         """Stress (ne, points, 6) in space: xx, yy, zz, xy, yz, zx, without bulk viscosity."""
         kept = by_element(self._kept, self.elements)
-        return stress_in_space(by_element(self._stress, self.elements), kept[:, TURN : TURN + 4])
+        return stress_in_space(by_element(self._stress, self.elements), kept[:, ROTATION : ROTATION + 4])
 
     @property
     def history(self) -> Array:
@@ -149,5 +140,5 @@ class Hexahedra:
             return lambda: float(history[place])
         value = CHANNELS[component]
         stress = self._stress[block, point - 1, lane::LANES]
-        frame = self._kept[block, lane::LANES][TURN : TURN + 4]
+        frame = self._kept[block, lane::LANES][ROTATION : ROTATION + 4]
         return lambda: value(stress_in_space(stress, frame))

@@ -1,15 +1,21 @@
 """A material's law at one point of every element of a block, in the element's frame."""
 
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
 from vmharness.explicit.elements.solid._rows import STRAIN, VOLUME, WORK
+from vmharness.explicit.kernels.compiled import specialise, to_be_bound
 from vmharness.explicit.kernels.simd import LANES, put, vector
 from vmharness.explicit.kernels.vector import add, dot
-from vmharness.explicit.materials.elastic import solid as law
+from vmharness.explicit.materials import Solid
+from vmharness.explicit.materials._plasticity.long_curves import with_law
 from vmharness.explicit.model.state import Array
 
+law: Solid = to_be_bound("law")
 
-def stress_at_point(
-    work: Array, dt: float, constants: tuple[float, ...], stress: Array, history: Array
-) -> None:
+
+def stress_at_point(work: Array, dt: float, constants: Any, stress: Array, history: Array) -> None:
     """Update `stress` (6 rows: 11, 22, 33, 12, 23, 31) by STRAIN; work += V 1/2 (s_{n-1} + s_n) . de."""
     for e in range(LANES):
         dn, ds = vector(work, STRAIN, e), vector(work, STRAIN + 3, e)
@@ -39,3 +45,11 @@ def stress_at_point(
         work[WORK * LANES + e] += (
             0.5 * work[VOLUME * LANES + e] * (dot(add(pn, normal), dn) + dot(add(ps, shear), ds))
         )
+
+
+@cache
+def compiled_step(
+    step: Callable[..., float], law: Callable[..., Any], long_curve: bool
+) -> Callable[..., float]:
+    """The `step` of a formulation for one law; `long_curve`: see `with_law`."""
+    return specialise(step, stress_at_point=with_law(stress_at_point, law, long_curve))

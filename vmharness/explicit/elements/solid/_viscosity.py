@@ -27,7 +27,7 @@ from vmharness.explicit.elements.solid._rows import (
     VOLUME,
     WORK,
     X,
-    seven,
+    load_patterns,
 )
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.simd import LANES
@@ -62,7 +62,7 @@ def viscosity(
 def stable_step(work: Array, fixed: Array, modulus: float, q1: float, q2: float) -> None:
     """STEP = the shortest dt of the elements that went through this lane so far."""
     for e in range(LANES):
-        x = seven(work, X, e)
+        x = load_patterns(work, X, e)
         volume, _ = mean(x)
         length = volume / largest_face(x)
         D, c = dilatation(work, e), (modulus * volume / fixed[MASS * LANES + e]) ** 0.5

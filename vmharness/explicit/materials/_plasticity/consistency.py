@@ -14,7 +14,7 @@ ITERATIONS = 5
 
 
 @inlined
-def increment(trial: float, K: float, p: float, r: float, Y: Curve) -> float:
+def static_increment(trial: float, K: float, p: float, r: float, Y: Curve) -> float:
     """dp >= 0, by Newton's rule; 0 where the trial stress is elastic.
 
     Exact in one step as long as no corner of Y is passed; each corner takes one more, or an error far below round-off
@@ -28,10 +28,10 @@ def increment(trial: float, K: float, p: float, r: float, Y: Curve) -> float:
 
 
 @inlined
-def rate_increment(
+def increment(
     trial: float, K: float, p: float, r: float, Y: Curve, viscous: Viscous | None, dt: float
 ) -> float:
     """dp >= 0, whichever rate r goes by; the compiler keeps one form."""
     if viscous is None:
-        return increment(trial, K, p, r, Y)
+        return static_increment(trial, K, p, r, Y)
     return viscous_increment(trial, K, p, Y, viscous, dt)

@@ -1,4 +1,4 @@
-"""A piecewise linear function, whose last slope goes on beyond the last point, in three forms.
+"""A piecewise liselected function, whose last slope goes on beyond the last point, in three forms.
 
 Up to eight points: a sum over hinges, without a search, so that loops around it vectorise:
 
@@ -9,21 +9,21 @@ the hinges: none or six, those that are too many do nothing.
 
 More points: a table that is searched, from cells of equal width on. It has a row for each segment: such a sum again, of
 the segment's line and the next two hinges, and behind it the place up to which that is the function, the third hinge.
-The last form, for the elements of a block, has for each the row that it needs, and no search (ahead.py). The table has
-room for these rows, so that threads must not share a curve.
+The last form, for the elements of a block, has for each the row that it needs, and no search (long_curves.py). The
+table has room for these rows, so that threads must not share a curve.
 """
 
 from typing import TypeAlias
 
 import numpy as np
 
-from vmharness.explicit.kernels.simd import LANES, Indices
+from vmharness.explicit.kernels.simd import LANES
 from vmharness.explicit.kernels.vector import inlined, inlined_counted
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.state import Array, Index
 
 Hinges: TypeAlias = tuple[float, ...]
 # Starts of the segments, cells, rows; then of LANES elements: the rows that they need, what a step of these changes.
-Table: TypeAlias = tuple[Array, Indices, Array, Array, Array]
+Table: TypeAlias = tuple[Array, Index, Array, Array, Array]
 Curve: TypeAlias = tuple[Hinges, Table | None, Array | None]
 
 HINGES = 6
@@ -57,6 +57,12 @@ def curve(x: Array, y: Array) -> Curve:
     return (*start, *hinges.ravel().tolist()), None, None
 
 
+def is_long(curve: Curve) -> bool:
+    """Whether the function has a table."""
+    _, table, _ = curve
+    return table is not None
+
+
 def table(x: Array, y: Array, slopes: Array) -> Table:
     """The segments: starts (n - 1,), rows (n - 1, COLUMNS), of which the last have fewer hinges and no end.
 
@@ -87,11 +93,11 @@ def segment(table: Table, x: float) -> int:
 @inlined
 def value_and_slope(curve: Curve, x: float) -> tuple[float, float]:
     """y(x) and dy/dx; at a point the slope before or after it."""
-    return by_form(curve[0], curve[1], x)
+    return evaluate(curve[0], curve[1], x)
 
 
 @inlined
-def by_form(hinges: Hinges, table: Table | None, x: float) -> tuple[float, float]:
+def evaluate(hinges: Hinges, table: Table | None, x: float) -> tuple[float, float]:
     """The same; the compiler keeps one form."""
     if table is None:
         y, slope = hinges[0] + hinges[1] * x, hinges[1]
@@ -105,17 +111,17 @@ def by_form(hinges: Hinges, table: Table | None, x: float) -> tuple[float, float
 
 
 @inlined_counted
-def of_lane(curve: Curve, at: int, stride: int) -> Curve:
+def element_curve(curve: Curve, at: int, stride: int) -> Curve:
     """The function of one element of a block, whose history starts at `at`."""
-    return by_rows(curve[0], curve[1], curve[2], at, stride)
+    return curve_of_row(curve[0], curve[1], curve[2], at, stride)
 
 
 @inlined_counted
-def by_rows(hinges: Hinges, table: Table | None, near: Array | None, at: int, stride: int) -> Curve:
+def curve_of_row(hinges: Hinges, table: Table | None, selected: Array | None, at: int, stride: int) -> Curve:
     """The same; the compiler keeps one form."""
-    if near is None:
+    if selected is None:
         return hinges, table, None
-    line = near[at], near[at + stride]
-    first = near[at + 2 * stride], near[at + 3 * stride]
-    second = near[at + 4 * stride], near[at + 5 * stride]
+    line = selected[at], selected[at + stride]
+    first = selected[at + 2 * stride], selected[at + 3 * stride]
+    second = selected[at + 4 * stride], selected[at + 5 * stride]
     return (*line, *first, *second), None, None

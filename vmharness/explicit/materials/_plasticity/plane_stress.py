@@ -16,9 +16,9 @@ comes up to the root and never passes it. Four steps give round-off at thirty ti
 """
 
 from vmharness.explicit.kernels.vector import inlined
-from vmharness.explicit.materials._plasticity.modulus import modulus
-from vmharness.explicit.materials._plasticity.piecewise_linear import Curve, of_lane, value_and_slope
-from vmharness.explicit.materials._plasticity.rate import Rate, Viscous, factor, viscous_part
+from vmharness.explicit.materials._plasticity.constants import Plastic, modulus
+from vmharness.explicit.materials._plasticity.piecewise_linear import Curve, element_curve, value_and_slope
+from vmharness.explicit.materials._plasticity.rate import Viscous, factor, viscous_part
 from vmharness.explicit.materials._plasticity.viscous import viscous_multiplier
 from vmharness.explicit.model.state import Array
 
@@ -54,7 +54,9 @@ def move_back_stress(C: float | None, flow: Shell, history: Array, at: int, stri
 
 
 @inlined
-def multiplier(P: float, Q: float, a: float, b: float, p: float, r: float, Y: Curve) -> tuple[float, float]:
+def static_multiplier(
+    P: float, Q: float, a: float, b: float, p: float, r: float, Y: Curve
+) -> tuple[float, float]:
     """lambda and dp.
 
     With D = a P / (1 + a lambda)^3 + b Q / (1 + b lambda)^3 and H the slope of r Y:
@@ -73,11 +75,11 @@ def multiplier(P: float, Q: float, a: float, b: float, p: float, r: float, Y: Cu
 
 
 @inlined
-def with_rate(
+def multiplier(
     P: float, Q: float, a: float, b: float, p: float, r: float, Y: Curve, viscous: Viscous | None, dt: float
 ) -> tuple[float, float]:
     """lambda and dp, whichever rate r goes by; the compiler keeps one form."""
-    x, dp = multiplier(P, Q, a, b, p, r, Y)
+    x, dp = static_multiplier(P, Q, a, b, p, r, Y)
     if viscous is None:
         return x, dp
     return viscous_multiplier(P, Q, a, b, p, Y, x, viscous, dt)
@@ -85,7 +87,7 @@ def with_rate(
 
 @inlined
 def plane_stress(
-    constants: tuple[float, float, float | None, Curve, Rate | None],
+    constants: Plastic,
     dt: float,
     dexx: float,
     deyy: float,
@@ -105,8 +107,8 @@ def plane_stress(
 
     de_zz = -nu/E (change of s_xx + s_yy) - lambda eta_+ / 3; the rate takes it as -(de_xx + de_yy), as in flow.
     """
-    E, nu, C, curve, rate = constants
-    Y = of_lane(curve, at, stride)
+    E, nu, C, rate = constants.E, constants.nu, constants.C, constants.rate
+    Y = element_curve(constants.Y, at, stride)
     G, bulk, p = E / (2 * (1 + nu)), E / (1 - nu), history[at]
     shears = dexy * dexy + deyz * deyz + dezx * dezx
     r = factor(rate, 4 / 3 * (dexx * dexx + deyy * deyy + dexx * deyy) + shears / 3, dt)
@@ -121,7 +123,7 @@ def plane_stress(
     Q = 0.75 * eta_minus * eta_minus + 3 * (eta_xy * eta_xy + eta_yz * eta_yz + eta_zx * eta_zx)
     kinematic = 2 / 3 * modulus(C)
     a, b = bulk / 3 + kinematic, 2 * G + kinematic
-    x, dp = with_rate(P, Q, a, b, p, r, Y, viscous_part(rate), dt)
+    x, dp = multiplier(P, Q, a, b, p, r, Y, viscous_part(rate), dt)
 
     A, B = x / (1 + a * x), x / (1 + b * x)  # lambda eta = A or B times its trial
     new_plus, new_minus = plus - bulk / 3 * A * eta_plus, minus - 2 * G * B * eta_minus

@@ -54,11 +54,11 @@ def factor(rate: Rate | None, squared: float, dt: float) -> float:
     """r, from the square of the effective strain increment over a step dt (0 before the first: nothing moved)."""
     if rate is None:
         return 1.0
-    return of_whole_strain(rate[0], rate[1], rate[2], rate[3], squared, dt)
+    return factor_of_strain_rate(rate[0], rate[1], rate[2], rate[3], squared, dt)
 
 
 @inlined
-def of_whole_strain(
+def factor_of_strain_rate(
     curve: Curve | None,
     inverse_c: float,
     inverse_p: float,

@@ -5,10 +5,10 @@ s = s_trial - 3 G dp xi / q,   d(alpha) = C dp xi / q;   the pressure is elastic
 """
 
 from vmharness.explicit.kernels.vector import inlined
-from vmharness.explicit.materials._plasticity.consistency import rate_increment
-from vmharness.explicit.materials._plasticity.modulus import modulus
-from vmharness.explicit.materials._plasticity.piecewise_linear import Curve, of_lane
-from vmharness.explicit.materials._plasticity.rate import Rate, factor, viscous_part
+from vmharness.explicit.materials._plasticity.consistency import increment
+from vmharness.explicit.materials._plasticity.constants import Plastic, modulus
+from vmharness.explicit.materials._plasticity.piecewise_linear import element_curve
+from vmharness.explicit.materials._plasticity.rate import factor, viscous_part
 from vmharness.explicit.model.state import Array
 
 TINY = 1e-300  # keeps 0/0 away where there is no stress
@@ -51,7 +51,7 @@ def squared_norm(a: Tensor) -> float:
 
 @inlined
 def solid(
-    constants: tuple[float, float, float | None, Curve, Rate | None],
+    constants: Plastic,
     dt: float,
     dexx: float,
     deyy: float,
@@ -70,8 +70,8 @@ def solid(
     stride: int,
 ) -> Tensor:
     """Stress xx, yy, zz, xy, yz, zx after a strain increment (engineering shears)."""
-    E, nu, C, curve, rate = constants
-    Y = of_lane(curve, at, stride)
+    E, nu, C, rate = constants.E, constants.nu, constants.C, constants.rate
+    Y = element_curve(constants.Y, at, stride)
     G, p = E / (2 * (1 + nu)), history[at]
     mean = (dexx + deyy + dezz) / 3
     de = (dexx - mean, deyy - mean, dezz - mean, 0.5 * dexy, 0.5 * deyz, 0.5 * dezx)
@@ -86,7 +86,7 @@ def solid(
     xi = (s0 - back[0], s1 - back[1], s2 - back[2], s3 - back[3], s4 - back[4], s5 - back[5])
     q = (1.5 * squared_norm(xi)) ** 0.5
     r = factor(rate, 2 / 3 * squared_norm(de), dt)
-    dp = rate_increment(q, 3 * G + modulus(C), p, r, Y, viscous_part(rate), dt)
+    dp = increment(q, 3 * G + modulus(C), p, r, Y, viscous_part(rate), dt)
 
     flow = dp / (q + TINY)
     fall = 3 * G * flow

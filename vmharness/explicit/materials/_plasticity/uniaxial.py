@@ -3,10 +3,10 @@
 from math import copysign
 
 from vmharness.explicit.kernels.vector import inlined
-from vmharness.explicit.materials._plasticity.consistency import rate_increment
-from vmharness.explicit.materials._plasticity.modulus import modulus
-from vmharness.explicit.materials._plasticity.piecewise_linear import Curve, of_lane
-from vmharness.explicit.materials._plasticity.rate import Rate, factor, viscous_part
+from vmharness.explicit.materials._plasticity.consistency import increment
+from vmharness.explicit.materials._plasticity.constants import Plastic, modulus
+from vmharness.explicit.materials._plasticity.piecewise_linear import element_curve
+from vmharness.explicit.materials._plasticity.rate import factor, viscous_part
 from vmharness.explicit.model.state import Array
 
 
@@ -27,7 +27,7 @@ def move_back_stress(C: float | None, de_p: float, history: Array, at: int, stri
 
 @inlined
 def uniaxial(
-    constants: tuple[float, float, float | None, Curve, Rate | None],
+    constants: Plastic,
     dt: float,
     deps: float,
     s: float,
@@ -36,12 +36,12 @@ def uniaxial(
     stride: int,
 ) -> float:
     """Axial stress after a strain increment."""
-    E, _, C, curve, rate = constants
-    Y = of_lane(curve, at, stride)
+    E, C, rate = constants.E, constants.C, constants.rate
+    Y = element_curve(constants.Y, at, stride)
     p, trial = history[at], s + E * deps
     eta = trial - back_stress(C, history, at, stride)
     r = factor(rate, deps * deps, dt)
-    dp = rate_increment(abs(eta), E + modulus(C), p, r, Y, viscous_part(rate), dt)
+    dp = increment(abs(eta), E + modulus(C), p, r, Y, viscous_part(rate), dt)
     de_p = copysign(dp, eta)
     history[at] = p + dp
     move_back_stress(C, de_p, history, at, stride)

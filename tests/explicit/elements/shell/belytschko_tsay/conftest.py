@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from vmharness.explicit.elements.shell.belytschko_tsay import BelytschkoTsay, Hourglass, nodal_mass
-from vmharness.explicit.materials.elastic import plane_stress
+from vmharness.explicit.materials import Moduli
+from vmharness.explicit.materials.elastic import Elastic, plane_stress
 from vmharness.explicit.model.state import Array, State
 
 E, NU, RHO = 2.1e11, 0.3, 7850.0
@@ -24,7 +25,9 @@ def shells(
 ) -> BelytschkoTsay:
     """Elastic shells of one thickness."""
     thickness = np.full(len(nodes), t)
-    return BelytschkoTsay("shells", nodes, x, thickness, rho, plane_stress, (e, nu), (e, nu), **options)
+    return BelytschkoTsay(
+        "shells", nodes, x, thickness, rho, plane_stress, Elastic(e, nu), Moduli(e, nu), **options
+    )
 
 
 def state(x: Array) -> State:

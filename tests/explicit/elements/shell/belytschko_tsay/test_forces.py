@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from vmharness.explicit.elements.shell.belytschko_tsay.forces import nodal_forces
-from vmharness.explicit.elements.shell.belytschko_tsay.rates import increments
+from vmharness.explicit.elements.shell.belytschko_tsay.strain import increments, nodal_forces
 
 SQUARE = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
 

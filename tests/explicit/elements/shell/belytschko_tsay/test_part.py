@@ -12,7 +12,8 @@ RUN = """
 import json
 import numpy as np
 from vmharness.explicit.elements.shell.belytschko_tsay import BelytschkoTsay, Hourglass
-from vmharness.explicit.materials.elastic import plane_stress
+from vmharness.explicit.materials import Moduli
+from vmharness.explicit.materials.elastic import Elastic, plane_stress
 from vmharness.explicit.model.state import State
 
 RNG = np.random.default_rng(5)
@@ -25,7 +26,7 @@ THICKNESS = 0.1 + 0.01 * np.arange(9)
 
 def run(which, ihq=4, isdo=0):
     # forces, moments, energies, stress and stable step of some of the elements after five steps
-    elastic = (plane_stress, (7.0, 0.3), (7.0, 0.3))
+    elastic = (plane_stress, Elastic(7.0, 0.3), Moduli(7.0, 0.3))
     block = BelytschkoTsay("", NODES[which], X, THICKNESS[which], 1.0, *elastic, 3, 5 / 6, Hourglass(ihq), isdo)
     state = State(X.copy(), V, OMEGA, np.ones(16), np.ones(16))
     for _ in range(5):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from vmharness.explicit.elements.shell.belytschko_tsay.rates import increments
+from vmharness.explicit.elements.shell.belytschko_tsay.strain import increments
 
 SQUARE = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
 

@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from vmharness.explicit.elements.shell.belytschko_tsay import BelytschkoTsay
-from vmharness.explicit.materials import plastic_kinematic
+from vmharness.explicit.materials import Moduli, plastic_kinematic
+from vmharness.explicit.materials._plasticity.constants import Plastic
 from vmharness.explicit.materials._plasticity.piecewise_linear import line
-from vmharness.explicit.materials.elastic import plane_stress
+from vmharness.explicit.materials.elastic import Elastic, plane_stress
 from vmharness.explicit.probes import probe
 
 E, NU, T = 210.0, 0.3, 0.5
@@ -34,7 +35,7 @@ def pulled(bench, strain, steps, lateral, stress=None, **options):
 
 
 def elastic(**options):
-    return dict(law=plane_stress, constants=(E, NU), stiffness=(E, NU), **options)
+    return dict(law=plane_stress, constants=Elastic(E, NU), moduli=Moduli(E, NU), **options)
 
 
 def test_uniaxial_stretch(bench):
@@ -68,8 +69,8 @@ def test_plastic_flow_keeps_the_volume(bench):
     strain, lateral = 0.3, 0.1
     block, _, _ = pulled(
         bench, strain, 300, lateral,
-        law=plastic_kinematic.plane_stress, constants=(E, NU, 0.0, line(0.3, 0.0), None), stiffness=(E, NU), history=6,
-        channels={"plastic-strain": 0},
+        law=plastic_kinematic.plane_stress, constants=Plastic(E, NU, 0.0, line(0.3, 0.0), None),
+        moduli=Moduli(E, NU), history=6, channels={"plastic-strain": 0},
     )  # fmt: skip
     stress = block.stress[0, 0]
     elastic_volume = (1 - 2 * NU) / E * (stress[0] + stress[1])
@@ -94,8 +95,10 @@ def test_moment_falls_with_the_square_of_the_thickness(bench):
     """M = int z s dz = t^2/6 for s = zeta, which a sheet without stiffness keeps."""
     stress = np.zeros((1, 3, 5))
     stress[0, :, 0] = np.polynomial.legendre.leggauss(3)[0]
-    soft = (1e-12, NU)
-    block, s, _ = pulled(bench, 0.4, 50, 0.0, stress=stress, law=plane_stress, constants=soft, stiffness=soft)
+    soft = Moduli(1e-12, NU)
+    block, s, _ = pulled(
+        bench, 0.4, 50, 0.0, stress=stress, law=plane_stress, constants=Elastic(*soft), moduli=soft
+    )
     t = block.probe(0, 1, "thickness")()
     assert t < 0.9 * T
     right = s.x[:, 0] > 1.0

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from vmharness.explicit.elements.shell.c0_triangle import C0Triangle, nodal_mass
-from vmharness.explicit.materials.elastic import plane_stress
+from vmharness.explicit.materials import Moduli
+from vmharness.explicit.materials.elastic import Elastic, plane_stress
 from vmharness.explicit.model.state import Array, State
 
 E, NU, RHO = 2.1e11, 0.3, 7850.0
@@ -25,7 +26,9 @@ def shells(
     x: Array, nodes: Array, t: float, e: float = E, nu: float = NU, rho: float = RHO, **options
 ) -> C0Triangle:
     """Elastic triangles of one thickness."""
-    return C0Triangle("", nodes, x, np.full(len(nodes), t), rho, plane_stress, (e, nu), (e, nu), **options)
+    return C0Triangle(
+        "", nodes, x, np.full(len(nodes), t), rho, plane_stress, Elastic(e, nu), Moduli(e, nu), **options
+    )
 
 
 def state(x: Array) -> State:

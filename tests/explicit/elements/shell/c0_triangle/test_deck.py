@@ -5,7 +5,7 @@ import pytest
 
 from vmharness.deck import DeckError
 from vmharness.explicit.build import build
-from vmharness.explicit.elements.shell._parts import shell_faces
+from vmharness.explicit.elements.shell import shell_faces
 from vmharness.explicit.loop import steps
 from vmharness.explicit.probes import probe
 

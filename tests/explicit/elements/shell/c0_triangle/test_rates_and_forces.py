@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from vmharness.explicit.elements.shell.c0_triangle.forces import nodal_forces
-from vmharness.explicit.elements.shell.c0_triangle.rates import increments
+from vmharness.explicit.elements.shell.c0_triangle.strain import increments, nodal_forces
 
 TRIANGLE = np.array([[0.0, 0, 0], [1, 0, 0], [0.4, 0.9, 0]])
 

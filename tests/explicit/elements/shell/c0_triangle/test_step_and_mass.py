@@ -32,7 +32,7 @@ def test_formula(bench, isdo, length, speed, nodes):
     block.add(s)
     assert block.stable_step() == pytest.approx(length / speed)
     assert block.steps(RIGHT) == pytest.approx([length / speed])
-    block.densify(np.array([4.0]))
+    block.scale_density(np.array([4.0]))
     block.add(s)
     assert block.stable_step() == pytest.approx(2 * length / speed)
 

@@ -24,8 +24,7 @@ with those for small deformations.
     part.py        the beams of a part as a force; build.py: from the deck
 """
 
-from vmharness.explicit.elements.beam.belytschko_schwer.build import build
-from vmharness.explicit.elements.beam.belytschko_schwer.part import BelytschkoSchwer
+from vmharness.explicit.elements.beam.belytschko_schwer.part import BelytschkoSchwer, build
 
 NAME = "Belytschko-Schwer beam"
 

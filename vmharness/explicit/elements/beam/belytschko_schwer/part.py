@@ -5,9 +5,14 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from vmharness.deck import Deck
+from vmharness.deck.keywords.mat.elastic import MAT_ELASTIC
+from vmharness.explicit.elements.beam._parts import beam_parts, lengths, orientations
 from vmharness.explicit.elements.beam.belytschko_schwer import step
-from vmharness.explicit.kernels.simd import Indices
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.elements.beam.belytschko_schwer.inertia import lumped, stable_step
+from vmharness.explicit.elements.beam.belytschko_schwer.stiffness import CrossSection, stiffness
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.state import Array, Index, State
 
 # What can be read off an end: the resultants there on the cross-section with the outer normal r.
 COMPONENTS = ("axial-force", "axial-stress", "s-shear", "t-shear", "s-moment", "t-moment", "torsion")
@@ -26,7 +31,7 @@ class BelytschkoSchwer:
     def __init__(
         self,
         name: str,
-        nodes: Indices,
+        nodes: Index,
         x: Array,
         orientation: Array,
         stiffness: Array,
@@ -47,25 +52,19 @@ class BelytschkoSchwer:
         self._length = np.linalg.norm(axis, axis=1)
         self._triads = np.repeat(_s_and_t(axis, orientation)[:, None], 2, axis=1)
         self._limit, self._stable = limit, float(limit.min())
-        self._damping: tuple[Array, Array, Array] | None = None  # beta (ne,), see `step.resist`, work lost
+        self._damping: tuple[Array, Array, Array] | None = (
+            None  # beta (ne,), see `step.add_damping`, work lost
+        )
 
     def add(self, state: State) -> None:
         """Add forces and moments at t_n; what is stored is a function of the deformation alone."""
-        step.turn(self._triads, self.nodes, state.omega, state.dt)
+        step.rotate_triads(self._triads, self.nodes, state.omega, state.dt)
         self._stable = step.step(
-            state.x,
-            self.nodes,
-            self._length,
-            self._limit,
-            self._stiffness,
-            self._triads,
-            self.resultants,
-            state.f,
-            state.moment,
-            self.energy["internal"],
-            state.dt,
-            self._damping,
-        )
+            state.x, state.dt,
+            self.nodes, self._length, self._limit, self._stiffness,
+            self._triads, self.resultants, self._damping,
+            state.f, state.moment, self.energy["internal"],
+        )  # fmt: skip
 
     def stable_step(self) -> float:
         """The smallest limit of the elements, each less its shortening."""
@@ -76,7 +75,7 @@ class BelytschkoSchwer:
         length = np.linalg.norm(x[self.nodes[:, 1]] - x[self.nodes[:, 0]], axis=1)
         return np.asarray(self._limit * np.minimum(length / self._length, 1.0))
 
-    def densify(self, factor: Array) -> None:
+    def scale_density(self, factor: Array) -> None:
         """Raise the densities by `factor` (ne,)."""
         self._limit = self._limit * np.sqrt(factor)
 
@@ -113,3 +112,36 @@ def _s_and_t(axis: Array, orientation: Array) -> Array:
     t = np.cross(axis, orientation)
     s = np.cross(t, axis)
     return np.stack([a / np.linalg.norm(a, axis=1, keepdims=True) for a in (s, t)], axis=1)
+
+
+ELFORM = 2
+
+
+def build(deck: Deck, model: Model) -> None:
+    """Add a force and the lumped mass for each such part; raises DeckError where the material is not elastic."""
+    for part in beam_parts(deck, model, ELFORM):
+        if part.rigid:
+            continue
+        if part.material.keyword is not MAT_ELASTIC:
+            raise part.part.error("mid", f"beams of resultants are elastic: *{MAT_ELASTIC.name} is supported")
+        e, nu = part.moduli
+        length, density, card = lengths(part, model.x0), part.density, part.section
+        section = CrossSection(card.a, card.iss, card.itt, card.j, card.sa)
+        mass, inertia = lumped(length, section, density)
+        for end in part.nodes.T:
+            model.add_mass(end, mass, inertia)
+        model.forces.append(
+            BelytschkoSchwer(
+                name=f"beams of part {part.pid}",
+                nodes=part.nodes,
+                x=model.x0,
+                orientation=orientations(part, model),
+                stiffness=stiffness(length, section, e, nu),
+                limit=stable_step(length, section, e, nu, density),
+                mass=mass,
+                inertia=inertia,
+                area=card.a,
+                eid=part.eid,
+                pid=part.pid,
+            )
+        )

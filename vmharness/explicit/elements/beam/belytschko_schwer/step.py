@@ -1,10 +1,10 @@
-"""One step of many beams: turn the vectors at the ends, measure the deformation, add forces and moments.
+"""One step of many beams: rotate the vectors at the ends, measure the deformation, add forces and moments.
 
 With the energy U of the deformations, g = dU/dr and the outer normal part taken off since r stays a unit vector,
 
     f_2 = dU/dL r + (g - (g . r) r) / L = -f_1
 
-and a node that turns by the small rotation w changes s by w x s, so that dU/d(r . t) enters its moment as t x r.
+and a small rotation w of a node changes s by w x s, so that dU/d(r . t) enters its moment as t x r.
 The nodes feel the opposite. The resultants on the cross-section whose outer normal is r follow from the same terms.
 
 With stiffness damping (explicit/damping/stiffness) the resultants R = dU/d(deformation) become R + beta dR/dt.
@@ -23,9 +23,8 @@ from vmharness.explicit.elements.beam.belytschko_schwer.stiffness import (
     TORSION,
 )
 from vmharness.explicit.kernels.compiled import kernel
-from vmharness.explicit.kernels.simd import Indices
-from vmharness.explicit.kernels.vector import Vector, add, cross, dot, inlined, scale, subtract
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.kernels.vector import Vector, add, cross, dot, inlined, row, scale, set_row, subtract
+from vmharness.explicit.model.state import Array, Index
 
 # Resultants of an element: axial force, torque, moments of the ends on the beam about s, about t, per rotation.
 FORCE, TORQUE, S_1, S_2, T_1, T_2 = range(6)
@@ -43,25 +42,13 @@ def half_tangent(rotation: Vector) -> Vector:
 
 
 @inlined
-def turned(a: Vector, p: Vector) -> Vector:
-    """The vector `a` after the finite rotation p: a + 2/(1 + p.p) p x (a + p x a) keeps its length to round-off."""
+def rotated(a: Vector, p: Vector) -> Vector:
+    """The vector `a` after the finite rotation p: a + 2/(1 + p.p) p x (a + p x a), of the same length to round-off."""
     return add(a, scale(2 / (1 + dot(p, p)), cross(p, add(a, cross(p, a)))))
 
 
 @inlined
-def row(a: Array, i: int) -> Vector:
-    """Row i of an array (n, 3)."""
-    return a[i, 0], a[i, 1], a[i, 2]
-
-
-@inlined
-def put(a: Array, i: int, b: Vector) -> None:
-    """Store row i of an array (n, 3)."""
-    a[i, 0], a[i, 1], a[i, 2] = b
-
-
-@inlined
-def pull(a: Array, i: int, b: Vector) -> None:
+def subtract_row(a: Array, i: int, b: Vector) -> None:
     """Subtract from row i of an array (n, 3)."""
     a[i, 0] -= b[0]
     a[i, 1] -= b[1]
@@ -75,17 +62,17 @@ def slope(u: float) -> float:
 
 
 @kernel
-def turn(triads: Array, nodes: Indices, omega: Array, dt: float) -> None:
-    """Turn s and t of both ends by their nodes' rotation over the step."""
+def rotate_triads(triads: Array, nodes: Index, omega: Array, dt: float) -> None:
+    """Rotate s and t of both ends by the rotation of their nodes in the step."""
     for e in range(len(nodes)):
         for end in range(2):
             p = half_tangent(scale(dt, row(omega, nodes[e, end])))
             for k in range(2):
-                put(triads[e, end], k, turned(row(triads[e, end], k), p))
+                set_row(triads[e, end], k, rotated(row(triads[e, end], k), p))
 
 
 @inlined
-def resist(
+def add_damping(
     R: Array, deformed: tuple[float, float, float, float, float, float], rate: float, kept: Array
 ) -> float:
     """R += rate (R_n - R_{n-1}), rate = beta/dt; returns the work of what is added, 1/2 (old + new) . increments."""
@@ -100,18 +87,22 @@ def resist(
 
 @kernel
 def step(
+    # state
     x: Array,
-    nodes: Indices,
+    dt: float,
+    # elements
+    nodes: Index,
     length: Array,
     limit: Array,
     stiffness: Array,
+    # elements, in and out
     triads: Array,
     resultants: Array,
+    damping: tuple[Array, Array, Array] | None,
+    # out
     f: Array,
     moment: Array,
     energy: Array,
-    dt: float,
-    damping: tuple[Array, Array, Array] | None,
 ) -> float:
     """Add forces and moments, set resultants and the `energy` (1,) stored and damped; the shortest stable step.
 
@@ -151,18 +142,18 @@ def step(
         if damping is not None:
             beta, kept, lost = damping
             deformed = (elongation, phi, theta_s1, theta_s2, theta_t1, theta_t2)
-            lost[0] += resist(R, deformed, beta[e] / dt if dt > 0.0 else 0.0, kept[e])
+            lost[0] += add_damping(R, deformed, beta[e] / dt if dt > 0.0 else 0.0, kept[e])
 
         g_1 = subtract(scale(R[S_1] * slope(u_s1), t1), scale(R[T_1] * slope(u_t1), s1))
         g_2 = subtract(scale(R[S_2] * slope(u_s2), t2), scale(R[T_2] * slope(u_t2), s2))
         g = add(g_1, g_2)
         force = add(scale(R[FORCE] - dot(g, r) / L, r), scale(1 / L, g))
-        pull(f, j, force)
-        pull(f, i, scale(-1.0, force))
+        subtract_row(f, j, force)
+        subtract_row(f, i, scale(-1.0, force))
 
         torque = scale(0.5 * R[TORQUE] * slope(u_r), subtract(cross(s2, t1), cross(t2, s1)))
-        pull(moment, i, subtract(cross(g_1, r), torque))
-        pull(moment, j, add(cross(g_2, r), torque))
+        subtract_row(moment, i, subtract(cross(g_1, r), torque))
+        subtract_row(moment, j, add(cross(g_2, r), torque))
     energy[0] = 0.5 * twice
     if damping is not None:
         energy[0] += damping[2][0]

@@ -18,10 +18,9 @@ It has no stiffness against warping and none about its normal (drilling), and it
 in any shape, for constant curvature in parallelograms only.
 """
 
-from vmharness.explicit.elements.shell.belytschko_tsay.build import build
 from vmharness.explicit.elements.shell.belytschko_tsay.hourglass import Hourglass
 from vmharness.explicit.elements.shell.belytschko_tsay.mass import nodal_mass
-from vmharness.explicit.elements.shell.belytschko_tsay.part import BelytschkoTsay
+from vmharness.explicit.elements.shell.belytschko_tsay.part import BelytschkoTsay, build
 
 NAME = "Belytschko-Tsay shell"
 

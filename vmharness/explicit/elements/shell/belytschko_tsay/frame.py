@@ -19,7 +19,9 @@ Belytschko 1981)
 is blind to every linear field and sees just that pattern.
 """
 
+from vmharness.explicit.kernels.simd import put, vector
 from vmharness.explicit.kernels.vector import Vector, components, cross, dot, inlined, scale, subtract, unit
+from vmharness.explicit.model.state import Array
 
 Corners = tuple[Vector, Vector, Vector, Vector]
 
@@ -49,3 +51,18 @@ def frame(
     B2 = (-dot(r24, e1) / double_area, dot(r13, e1) / double_area)
     triad = (e1, e2, e3)
     return triad, 0.5 * double_area, B1, B2, components(triad, hourglass_pattern(x))
+
+
+@inlined
+def load_corners(work: Array, row: int, e: int) -> Corners:
+    """The vectors at the four nodes of element e."""
+    return vector(work, row, e), vector(work, row + 3, e), vector(work, row + 6, e), vector(work, row + 9, e)
+
+
+@inlined
+def store_corners(work: Array, row: int, e: int, a: Corners) -> None:
+    """Store the vectors at the four nodes of element e."""
+    put(work, row, e, a[0])
+    put(work, row + 3, e, a[1])
+    put(work, row + 6, e, a[2])
+    put(work, row + 9, e, a[3])

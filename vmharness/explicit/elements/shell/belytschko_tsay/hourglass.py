@@ -23,6 +23,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vmharness.explicit.elements.shell.belytschko_tsay.mass import nodal_mass
+from vmharness.explicit.materials import Moduli
 from vmharness.explicit.model.state import Array
 
 
@@ -49,15 +50,15 @@ def moduli(
     x: Array,
     thickness: Array,
     density: float,
-    stiffness: tuple[float, float],
+    elastic: Moduli,
     shrf: float,
     control: Hourglass,
 ) -> Array:
     """Membrane, warping and bending constants (3, ne): C of the stiffness form, c of the viscous form.
 
-    `x (ne, 4, 3)`: corners; `thickness (ne,)`; `stiffness`: E and nu. Consistent units.
+    `x (ne, 4, 3)`: corners; `thickness (ne,)`. Consistent units.
     """
-    E, nu = stiffness
+    E, nu = elastic
     t, G = thickness, E / (2 * (1 + nu))
     r13, r24 = x[:, 0] - x[:, 2], x[:, 1] - x[:, 3]
     A = 0.5 * np.linalg.norm(np.cross(r13, r24), axis=1)

@@ -20,21 +20,21 @@ from vmharness.explicit.elements.shell._rows import (
     X,
     put_strain,
 )
-from vmharness.explicit.elements.shell.belytschko_tsay.forces import nodal_forces
-from vmharness.explicit.elements.shell.belytschko_tsay.lanes import corners, put_corners
-from vmharness.explicit.elements.shell.belytschko_tsay.length import by_side as length
-from vmharness.explicit.elements.shell.belytschko_tsay.rates import increments
-from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.elements.shell.belytschko_tsay.frame import load_corners, store_corners
+from vmharness.explicit.elements.shell.belytschko_tsay.strain import increments, nodal_forces
+from vmharness.explicit.kernels.compiled import kernel, to_be_bound
 from vmharness.explicit.kernels.simd import LANES, put, vector
 from vmharness.explicit.kernels.vector import add, dot, scale
 from vmharness.explicit.model.state import Array
+
+length = to_be_bound("length")  # the characteristic length by ISDO: see length.py
 
 
 @kernel
 def strain(work: Array, dt: float) -> None:
     """Rates on the geometry at mid-step, x_{n-1/2} = x_n - dt/2 v_{n-1/2}."""
     for e in range(LANES):
-        x, v = corners(work, X, e), corners(work, V, e)
+        x, v = load_corners(work, X, e), load_corners(work, V, e)
         half = -0.5 * dt
         middle = (
             add(x[0], scale(half, v[0])),
@@ -42,7 +42,7 @@ def strain(work: Array, dt: float) -> None:
             add(x[2], scale(half, v[2])),
             add(x[3], scale(half, v[3])),
         )
-        area, membrane, curvature, shear, q, r = increments(middle, v, corners(work, OMEGA, e), dt)
+        area, membrane, curvature, shear, q, r = increments(middle, v, load_corners(work, OMEGA, e), dt)
         put_strain(work, e, area, membrane, curvature, shear)
         put(work, Q, e, q)
         put(work, R, e, r)
@@ -75,7 +75,7 @@ def force(work: Array, section: Array) -> None:
     Mass scaling slows the waves of an element, as if it were longer.
     """
     for e in range(LANES):
-        x = corners(work, X, e)
+        x = load_corners(work, X, e)
         work[LENGTH * LANES + e] = min(
             work[LENGTH * LANES + e], section[DENSITY_ROOT * LANES + e] * length(x)
         )
@@ -87,5 +87,5 @@ def force(work: Array, section: Array) -> None:
             vector(work, Q, e),
             vector(work, R, e),
         )
-        put_corners(work, F, e, f)
-        put_corners(work, MOMENT, e, moment)
+        store_corners(work, F, e, f)
+        store_corners(work, MOMENT, e, moment)

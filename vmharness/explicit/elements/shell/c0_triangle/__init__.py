@@ -19,9 +19,8 @@ triangle, stiff in bending in its plane. It has no stiffness about its normal (d
 free beside rigid ones and those: normals that turn as omega = c (x, y, 0) about the centre. Neighbours do not share it.
 """
 
-from vmharness.explicit.elements.shell.c0_triangle.build import build
 from vmharness.explicit.elements.shell.c0_triangle.mass import nodal_mass
-from vmharness.explicit.elements.shell.c0_triangle.part import C0Triangle
+from vmharness.explicit.elements.shell.c0_triangle.part import C0Triangle, build
 
 NAME = "C0 triangle"
 

@@ -18,7 +18,9 @@ deflection. That is the shear of Kennedy, Belytschko, Lin (1986). The gradient o
     phi,y = c kappa_xx + b kappa_yy - a kappa_xy
 """
 
+from vmharness.explicit.kernels.simd import put, vector
 from vmharness.explicit.kernels.vector import Vector, cross, dot, inlined, scale, subtract, unit
+from vmharness.explicit.model.state import Array
 
 Corners = tuple[Vector, Vector, Vector]
 
@@ -39,3 +41,17 @@ def frame(
     x2, x3, y3 = dot(r21, e1), dot(r31, e1), dot(r31, e2)
     by_curvature = ((x2 - 2 * x3) / 6, y3 / 6, 0.5 * x3 * (x3 - x2) / y3)
     return (e1, e2, e3), 0.5 * double_area, (1 / x2, 0.0), (-x3 / double_area, 1 / y3), by_curvature
+
+
+@inlined
+def load_corners(work: Array, row: int, e: int) -> Corners:
+    """The vectors at the three nodes of element e."""
+    return vector(work, row, e), vector(work, row + 3, e), vector(work, row + 6, e)
+
+
+@inlined
+def store_corners(work: Array, row: int, e: int, a: Corners) -> None:
+    """Store the vectors at the three nodes of element e."""
+    put(work, row, e, a[0])
+    put(work, row + 3, e, a[1])
+    put(work, row + 6, e, a[2])

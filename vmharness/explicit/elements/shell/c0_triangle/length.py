@@ -27,4 +27,4 @@ def height_or_side(x: Corners) -> float:
     return max(min(dot(a, a), min(dot(b, b), dot(c, c))) ** 0.5, smallest_height(x))
 
 
-HEIGHTS = (smallest_height, smallest_height, height_or_side)  # by ISDO
+LENGTHS = (smallest_height, smallest_height, height_or_side)  # by ISDO

@@ -1,13 +1,9 @@
-"""Area, lumped mass and rotary inertia of a triangle's nodes."""
+"""Lumped mass and rotary inertia of a triangle's nodes."""
 
 import numpy as np
 
+from vmharness.explicit.elements.shell._parts import area
 from vmharness.explicit.model.state import Array
-
-
-def area(x: Array) -> Array:
-    """A = |r21 x r31| / 2 (ne,) of the corners `x (ne, 3, 3)`."""
-    return np.asarray(0.5 * np.linalg.norm(np.cross(x[:, 1] - x[:, 0], x[:, 2] - x[:, 0]), axis=1))
 
 
 def nodal_mass(x: Array, thickness: Array, density: float, nu: float, shrf: float) -> tuple[Array, Array]:

@@ -13,24 +13,24 @@ from vmharness.explicit.elements.shell._rows import (
     X,
     put_strain,
 )
-from vmharness.explicit.elements.shell.c0_triangle.forces import nodal_forces
-from vmharness.explicit.elements.shell.c0_triangle.lanes import put_triangle, triangle
-from vmharness.explicit.elements.shell.c0_triangle.length import smallest_height as length
-from vmharness.explicit.elements.shell.c0_triangle.rates import increments
-from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.elements.shell.c0_triangle.frame import load_corners, store_corners
+from vmharness.explicit.elements.shell.c0_triangle.strain import increments, nodal_forces
+from vmharness.explicit.kernels.compiled import kernel, to_be_bound
 from vmharness.explicit.kernels.simd import LANES, vector
 from vmharness.explicit.kernels.vector import add, scale
 from vmharness.explicit.model.state import Array
 
+length = to_be_bound("length")  # the characteristic length by ISDO: see length.py
+
 
 @kernel
-def strain_triangles(work: Array, dt: float) -> None:
+def strain(work: Array, dt: float) -> None:
     """Rates on the geometry at mid-step, x_{n-1/2} = x_n - dt/2 v_{n-1/2}."""
     for e in range(LANES):
-        x, v = triangle(work, X, e), triangle(work, V, e)
+        x, v = load_corners(work, X, e), load_corners(work, V, e)
         half = -0.5 * dt
         middle = (add(x[0], scale(half, v[0])), add(x[1], scale(half, v[1])), add(x[2], scale(half, v[2])))
-        area, membrane, curvature, shear = increments(middle, v, triangle(work, OMEGA, e), dt)
+        area, membrane, curvature, shear = increments(middle, v, load_corners(work, OMEGA, e), dt)
         put_strain(work, e, area, membrane, curvature, shear)
 
 
@@ -39,15 +39,15 @@ def no_hourglass(work: Array, dt: float, section: Array, viscous: bool, hourglas
     """Three nodes have no hourglass patterns to control."""
 
 
-def force_triangles(work: Array, section: Array) -> None:
+def force(work: Array, section: Array) -> None:
     """Forces on the geometry at the end of the step, and the shortest characteristic length so far.
 
     Mass scaling slows the waves of an element, as if it were longer.
     """
     for e in range(LANES):
-        x = triangle(work, X, e)
+        x = load_corners(work, X, e)
         scaled = section[DENSITY_ROOT * LANES + e] * length(x)
         work[LENGTH * LANES + e] = min(work[LENGTH * LANES + e], scaled)
         f, moment = nodal_forces(x, vector(work, N, e), vector(work, M, e), vector(work, S, e))
-        put_triangle(work, F, e, f)
-        put_triangle(work, MOMENT, e, moment)
+        store_corners(work, F, e, f)
+        store_corners(work, MOMENT, e, moment)

@@ -9,13 +9,21 @@ selective integration procedures to anisotropic and nonlinear media, Internation
 Engineering 15 (1980) 1413-1418). Forces are the transpose. There are no hourglass modes. All points turn with the
 element's mean spin (turn.py). In bending, elements longer than thick are too stiff by shear, and one alone across a
 beam too soft, for its pressure is constant: a beam takes cubes, two or more through its depth.
-
-    step.py    one step of many elements
-    build.py   from the deck
 """
 
-from vmharness.explicit.elements.solid.full.build import build, compiled
+from vmharness.deck import Deck
+from vmharness.explicit.elements.solid._build import add_part
+from vmharness.explicit.elements.solid._parts import solid_parts
+from vmharness.explicit.elements.solid.full.step import POINTS, step
+from vmharness.explicit.model.model import Model
 
 NAME = "fully integrated hexahedron"
 
-__all__ = ["NAME", "build", "compiled"]
+ELFORM = 2
+
+
+def build(deck: Deck, model: Model) -> None:
+    """Add a force and the lumped mass for each part with *SECTION_SOLID ELFORM = 2."""
+    for part in solid_parts(deck, model, ELFORM):
+        if not part.rigid:
+            add_part(deck, model, part, step, points=POINTS)

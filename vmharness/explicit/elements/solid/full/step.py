@@ -4,9 +4,11 @@ Arrays per block of LANES elements as those of the one-point solid (hexa_one_poi
 rows)` and `history (blocks, 8, rows)`; of what an element keeps, the hourglass forces stay zero.
 """
 
+from typing import Any
+
 import numpy as np
 
-from vmharness.explicit.elements.solid._gradient import at, mean, velocity_gradient
+from vmharness.explicit.elements.solid._gradient import at_point, mean, velocity_gradient
 from vmharness.explicit.elements.solid._motion import at_mid_step, motion
 from vmharness.explicit.elements.solid._pattern import nodal
 from vmharness.explicit.elements.solid._rows import (
@@ -23,26 +25,27 @@ from vmharness.explicit.elements.solid._rows import (
     F,
     V,
     X,
-    put_nodes,
-    put_seven,
-    seven,
-    tensor,
+    load_patterns,
+    load_tensor,
+    store_nodes,
+    store_patterns,
 )
-from vmharness.explicit.elements.solid._stress import stress_at_point
 from vmharness.explicit.elements.solid._viscosity import stable_step, viscosity
-from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.kernels.compiled import kernel, to_be_bound
 from vmharness.explicit.kernels.rotation import matvec, strain_in_frame, stress_in_space
-from vmharness.explicit.kernels.simd import LANES, Indices, gather, put, scatter, vector
+from vmharness.explicit.kernels.simd import LANES, gather, put, scatter, vector
 from vmharness.explicit.kernels.vector import add, scale, subtract
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.state import Array, Index
+
+stress_at_point = to_be_bound("stress_at_point")
 
 POINTS = 8
 G = 1 / 3**0.5  # Gauss's place in -1..1; all weights are 1
 
 
 @kernel
-def begin(work: Array) -> None:
-    """No forces yet."""
+def clear_forces(work: Array) -> None:
+    """FORCES = 0, TENSION = 0."""
     for row in range(FORCES, TENSION + 1):
         for e in range(LANES):
             work[row * LANES + e] = 0.0
@@ -52,11 +55,11 @@ def begin(work: Array) -> None:
 def strain_at_point(work: Array, dt: float, xi: float, eta: float, zeta: float) -> None:
     """STRAIN = dt D with the mean dilatation, VOLUME = j, at mid-step."""
     for e in range(LANES):
-        x, v = seven(work, X, e), seven(work, V, e)
-        j, b = at(at_mid_step(x, v, dt), xi, eta, zeta)
-        L, mean_L = velocity_gradient(v, j, b), tensor(work, GRADIENT, e)
+        x, v = load_patterns(work, X, e), load_patterns(work, V, e)
+        j, b = at_point(at_mid_step(x, v, dt), xi, eta, zeta)
+        L, mean_L = velocity_gradient(v, j, b), load_tensor(work, GRADIENT, e)
         missing = (mean_L[0][0] + mean_L[1][1] + mean_L[2][2] - L[0][0] - L[1][1] - L[2][2]) / 3
-        normal, shear = strain_in_frame(tensor(work, MIDDLE, e), L)
+        normal, shear = strain_in_frame(load_tensor(work, MIDDLE, e), L)
         put(work, STRAIN, e, scale(dt, add(normal, (missing, missing, missing))))
         put(work, STRAIN + 3, e, scale(dt, shear))
         work[VOLUME * LANES + e] = j
@@ -66,11 +69,11 @@ def strain_at_point(work: Array, dt: float, xi: float, eta: float, zeta: float) 
 def force_at_point(work: Array, stress: Array, xi: float, eta: float, zeta: float) -> None:
     """FORCES += s' b_k with the deviator s', TENSION += j tr s / 3, on the geometry at the end of the step."""
     for e in range(LANES):
-        j, b = at(seven(work, X, e), xi, eta, zeta)
+        j, b = at_point(load_patterns(work, X, e), xi, eta, zeta)
         normal, shear = vector(stress, 0, e), vector(stress, 3, e)
         p = (normal[0] + normal[1] + normal[2]) / 3
-        s = stress_in_space(tensor(work, NOW, e), subtract(normal, (p, p, p)), shear)
-        f = seven(work, FORCES, e)
+        s = stress_in_space(load_tensor(work, NOW, e), subtract(normal, (p, p, p)), shear)
+        f = load_patterns(work, FORCES, e)
         f = (
             add(f[0], matvec(s, b[0])),
             add(f[1], matvec(s, b[1])),
@@ -80,7 +83,7 @@ def force_at_point(work: Array, stress: Array, xi: float, eta: float, zeta: floa
             add(f[5], matvec(s, b[5])),
             add(f[6], matvec(s, b[6])),
         )
-        put_seven(work, FORCES, e, f)
+        store_patterns(work, FORCES, e, f)
         work[TENSION * LANES + e] += j * p
 
 
@@ -88,9 +91,9 @@ def force_at_point(work: Array, stress: Array, xi: float, eta: float, zeta: floa
 def force(work: Array) -> None:
     """Nodal forces: to the deviators' forces comes that of the mean stress less bulk viscosity, (p - q) int b_k."""
     for e in range(LANES):
-        volume, b = mean(seven(work, X, e))
+        volume, b = mean(load_patterns(work, X, e))
         p = work[TENSION * LANES + e] / volume - work[PRESSURE * LANES + e]
-        f = seven(work, FORCES, e)
+        f = load_patterns(work, FORCES, e)
         f = (
             add(f[0], scale(p, b[0])),
             add(f[1], scale(p, b[1])),
@@ -100,25 +103,31 @@ def force(work: Array) -> None:
             add(f[5], scale(p, b[5])),
             f[6],
         )
-        put_nodes(work, F, e, nodal(f))
+        store_nodes(work, F, e, nodal(f))
 
 
 def step(
+    # state
     x: Array,
     v: Array,
     dt: float,
-    nodes: Indices,
+    # elements
+    nodes: Index,
     elements: int,
     fixed: Array,
-    kept: Array,
+    # formulation and material
     modulus: float,
     viscous: tuple[float, float],
     hourglass: tuple[bool, bool],
-    constants: tuple[float, ...],
+    constants: Any,
+    # elements, in and out
+    kept: Array,
     stress: Array,
     history: Array,
+    # out
     f: Array,
     energy: Array,
+    # buffer
     work: Array,
 ) -> float:
     """Bring stresses to t_n, add forces there, and the step's work to `energy[0]`; the shortest stable step.
@@ -134,7 +143,7 @@ def step(
         motion(work, dt, kept[block])
         viscosity(work, dt, fixed[block], modulus, q1, q2, kept[block])
         stable_step(work, fixed[block], modulus, q1, q2)
-        begin(work)
+        clear_forces(work)
         for p in range(POINTS):
             xi, eta, zeta = (2 * (p & 1) - 1) * G, ((p & 2) - 1) * G, ((p & 4) // 2 - 1) * G
             strain_at_point(work, dt, xi, eta, zeta)

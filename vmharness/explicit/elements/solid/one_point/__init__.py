@@ -8,13 +8,14 @@ solid elements.
     step.py        one step of many elements: motion, strain, stress, forces
     build.py       from the deck
 
-What it shares with other solids is in explicit/hexahedron/. The gradient is the mean over the volume, so that strain is
+What it shares with other solids is in solid/. The gradient is the mean over the volume, so that strain is
 exact for linear fields in any shape, and volume too; the stress obeys the Jaumann rate.
 """
 
-from vmharness.explicit.elements.solid.one_point.build import build, compiled
+from vmharness.explicit.elements.solid.one_point.build import build
 from vmharness.explicit.elements.solid.one_point.hourglass import Hourglass, moduli
+from vmharness.explicit.elements.solid.one_point.step import step
 
 NAME = "one-point hexahedron"
 
-__all__ = ["NAME", "Hourglass", "build", "compiled", "moduli"]
+__all__ = ["NAME", "Hourglass", "build", "moduli", "step"]

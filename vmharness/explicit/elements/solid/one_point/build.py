@@ -1,19 +1,12 @@
 """The deck's parts with *SECTION_SOLID ELFORM = 1 -> forces and masses of the model."""
 
-from collections.abc import Callable
-from functools import cache
-from typing import Any
-
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.control.hourglass import CONTROL_HOURGLASS
 from vmharness.deck.keywords.hourglass import HOURGLASS
-from vmharness.explicit.elements.solid import _stress as stress
-from vmharness.explicit.elements.solid._build import add_part, wave_modulus
+from vmharness.explicit.elements.solid._build import add_part
 from vmharness.explicit.elements.solid._parts import solid_parts
-from vmharness.explicit.elements.solid.one_point import step
 from vmharness.explicit.elements.solid.one_point.hourglass import Hourglass, moduli
-from vmharness.explicit.kernels.compiled import specialise
-from vmharness.explicit.materials._plasticity.long_curves import with_law
+from vmharness.explicit.elements.solid.one_point.step import step
 from vmharness.explicit.model.model import Model
 
 ELFORM = 1
@@ -26,21 +19,15 @@ def build(deck: Deck, model: Model) -> None:
         if part.rigid:
             continue
         control = _hourglass(deck, part.part)
-        modulus = wave_modulus(part.material.e, part.material.pr)
+        modulus = part.moduli.longitudinal
         add_part(
             deck,
             model,
             part,
-            compiled,
-            resistance=moduli(model.x0[part.nodes], part.material.ro, modulus, control),
+            step,
+            resistance=moduli(model.x0[part.nodes], part.density, modulus, control),
             hourglass=(control.viscous, control.projected),
         )
-
-
-@cache
-def compiled(law: Callable[..., Any], ahead: bool) -> Callable[..., float]:
-    """The step for one law; `ahead`: see plasticity/ahead.py."""
-    return specialise(step.step, stress_at_point=with_law(stress.stress_at_point, law, ahead))
 
 
 def _hourglass(deck: Deck, part: Entry) -> Hourglass:

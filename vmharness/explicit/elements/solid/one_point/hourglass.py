@@ -35,8 +35,8 @@ from vmharness.explicit.elements.solid._rows import (
     RESISTANCE,
     V,
     X,
-    seven,
-    tensor,
+    load_patterns,
+    load_tensor,
 )
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.rotation import matvec
@@ -83,7 +83,7 @@ def rates(work: Array, dt: float, projected: bool) -> None:
     """HOURGLASS = q_a at mid-step."""
     project, half = (1.0 if projected else 0.0), -0.5 * dt
     for e in range(LANES):
-        x, v, L = seven(work, X, e), seven(work, V, e), tensor(work, GRADIENT, e)
+        x, v, L = load_patterns(work, X, e), load_patterns(work, V, e), load_tensor(work, GRADIENT, e)
         put(work, HOURGLASS, e, subtract(v[3], scale(project, matvec(L, add(x[3], scale(half, v[3]))))))
         put(work, HOURGLASS + 3, e, subtract(v[4], scale(project, matvec(L, add(x[4], scale(half, v[4]))))))
         put(work, HOURGLASS + 6, e, subtract(v[5], scale(project, matvec(L, add(x[5], scale(half, v[5]))))))
@@ -98,9 +98,9 @@ def forces(work: Array, dt: float, fixed: Array, viscous: bool, kept: Array) -> 
         work[HOURGLASS_WORK * LANES + e] = 0.0
     for a in range(4):
         for e in range(LANES):
-            q = components(tensor(work, MIDDLE, e), vector(work, HOURGLASS + 3 * a, e))
+            q = components(load_tensor(work, MIDDLE, e), vector(work, HOURGLASS + 3 * a, e))
             past = vector(kept, RESISTANCE + 3 * a, e)
             now = add(scale(memory, past), scale(gain * fixed[MODULUS * LANES + e], q))
             put(kept, RESISTANCE + 3 * a, e, now)
-            put(work, HOURGLASS + 3 * a, e, combine(tensor(work, NOW, e), now))
+            put(work, HOURGLASS + 3 * a, e, combine(load_tensor(work, NOW, e), now))
             work[HOURGLASS_WORK * LANES + e] += 0.5 * dt * dot(add(past, now), q)

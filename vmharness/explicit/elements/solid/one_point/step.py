@@ -6,10 +6,12 @@ rows)`, mass and hourglass modulus; `kept (blocks, 17 rows)`, frame, bulk viscos
 force nor energy.
 """
 
+from typing import Any
+
 import numpy as np
 
 from vmharness.explicit.elements.solid._gradient import mean
-from vmharness.explicit.elements.solid._motion import motion
+from vmharness.explicit.elements.solid._motion import mean_strain, motion
 from vmharness.explicit.elements.solid._pattern import nodal
 from vmharness.explicit.elements.solid._rows import (
     HOURGLASS,
@@ -21,19 +23,19 @@ from vmharness.explicit.elements.solid._rows import (
     F,
     V,
     X,
-    put_nodes,
-    seven,
-    tensor,
+    load_patterns,
+    load_tensor,
+    store_nodes,
 )
-from vmharness.explicit.elements.solid._strain import mean_strain
-from vmharness.explicit.elements.solid._stress import stress_at_point
 from vmharness.explicit.elements.solid._viscosity import stable_step, viscosity
 from vmharness.explicit.elements.solid.one_point.hourglass import forces, rates
-from vmharness.explicit.kernels.compiled import kernel
+from vmharness.explicit.kernels.compiled import kernel, to_be_bound
 from vmharness.explicit.kernels.rotation import matvec, stress_in_space
-from vmharness.explicit.kernels.simd import LANES, Indices, gather, scatter, vector
+from vmharness.explicit.kernels.simd import LANES, gather, scatter, vector
 from vmharness.explicit.kernels.vector import Vector, add, inlined, scale, subtract
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.state import Array, Index
+
+stress_at_point = to_be_bound("stress_at_point")
 
 
 @kernel
@@ -48,11 +50,11 @@ def force(work: Array, stress: Array, projected: bool) -> None:
     """
     project = 1.0 if projected else 0.0
     for e in range(LANES):
-        x = seven(work, X, e)
+        x = load_patterns(work, X, e)
         volume, b = mean(x)
         q = work[PRESSURE * LANES + e]
         normal, shear = vector(stress, 0, e), vector(stress, 3, e)
-        s = stress_in_space(tensor(work, NOW, e), subtract(normal, (q, q, q)), shear)
+        s = stress_in_space(load_tensor(work, NOW, e), subtract(normal, (q, q, q)), shear)
         Q4, Q5 = vector(work, HOURGLASS, e), vector(work, HOURGLASS + 3, e)
         Q6, Q7 = vector(work, HOURGLASS + 6, e), vector(work, HOURGLASS + 9, e)
         share = -project / volume
@@ -70,7 +72,7 @@ def force(work: Array, stress: Array, projected: bool) -> None:
             add(matvec(T, b[5]), Q6),
             Q7,
         )
-        put_nodes(work, F, e, nodal(f))
+        store_nodes(work, F, e, nodal(f))
 
 
 @inlined
@@ -82,21 +84,27 @@ def _by_x(
 
 
 def step(
+    # state
     x: Array,
     v: Array,
     dt: float,
-    nodes: Indices,
+    # elements
+    nodes: Index,
     elements: int,
     fixed: Array,
-    kept: Array,
+    # formulation and material
     modulus: float,
     viscous: tuple[float, float],
     hourglass: tuple[bool, bool],
-    constants: tuple[float, ...],
+    constants: Any,
+    # elements, in and out
+    kept: Array,
     stress: Array,
     history: Array,
+    # out
     f: Array,
     energy: Array,
+    # buffer
     work: Array,
 ) -> float:
     """Bring stresses to t_n, add forces there, and the step's work to `energy`; the shortest stable step.

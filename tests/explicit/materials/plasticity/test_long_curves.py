@@ -9,7 +9,8 @@ from vmharness.explicit.elements.shell import _rows as shell_rows
 from vmharness.explicit.elements.solid import _rows as solid_rows
 from vmharness.explicit.elements.solid import _stress as solid_point
 from vmharness.explicit.kernels.simd import LANES
-from vmharness.explicit.materials._plasticity.long_curves import looks_ahead, with_law
+from vmharness.explicit.materials._plasticity.constants import Plastic
+from vmharness.explicit.materials._plasticity.long_curves import has_long_curve, with_law
 from vmharness.explicit.materials._plasticity.piecewise_linear import curve, line, value_and_slope
 from vmharness.explicit.materials._plasticity.plane_stress import plane_stress
 from vmharness.explicit.materials._plasticity.solid import solid
@@ -68,11 +69,11 @@ def test_close_to_a_search(kind, rate):
     Not to round-off: at many corners a search leaves Newton's rule of the laws further from the root.
     """
     steps, update, law = POINTS[kind]
-    ahead, searching = (with_law(update, law, looking) for looking in (True, False))
+    by_rows, searching = (with_law(update, law, long_curve) for long_curve in (True, False))
     for stresses in (CONCAVE, WAVY):
-        constants = 210.0, 0.3, None, curve(P, stresses), RATES[rate]
+        constants = Plastic(210.0, 0.3, None, curve(P, stresses), RATES[rate])
         for size in (2e-3, 0.02):
-            one, two = (steps(f, constants, np.random.default_rng(5), size) for f in (ahead, searching))
+            one, two = (steps(f, constants, np.random.default_rng(5), size) for f in (by_rows, searching))
             for a, b in zip(one, two, strict=True):
                 np.testing.assert_allclose(a, b, rtol=1e-4, atol=1e-7)
             assert one[2].max() > 0.2 * size
@@ -95,7 +96,7 @@ def test_every_element_is_at_its_own_place_of_the_curve(kind, size):
     steps, update, law = POINTS[kind]
     for stresses in (CONCAVE, WAVY):
         Y = curve(P, stresses)
-        constants = 210.0, 0.3, None, Y, None
+        constants = Plastic(210.0, 0.3, None, Y, None)
         _, stress, p = steps(with_law(update, law, True), constants, np.random.default_rng(5), size)
         ratio = effective(kind, stress) / [value_and_slope(Y, x)[0] for x in p]
         assert ratio.max() == pytest.approx(1.0, abs=1e-13)
@@ -103,9 +104,9 @@ def test_every_element_is_at_its_own_place_of_the_curve(kind, size):
         assert p.max() > 3 * size
 
 
-def test_only_long_curves_are_looked_ahead_in():
-    assert looks_ahead((210.0, 0.3, None, curve(P, CONCAVE), None))
-    assert not looks_ahead((210.0, 0.3, None, curve(P[:8], CONCAVE[:8]), None))
-    assert not looks_ahead((210.0, 0.3, None, line(0.3, 1.0), None))
-    assert not looks_ahead((210.0, 0.3))
-    assert not looks_ahead((210.0, 0.3, 1.0, 2))
+def test_only_a_yield_curve_of_many_points_is_long():
+    assert has_long_curve(Plastic(210.0, 0.3, None, curve(P, CONCAVE), None))
+    assert not has_long_curve(Plastic(210.0, 0.3, None, curve(P[:8], CONCAVE[:8]), None))
+    assert not has_long_curve(Plastic(210.0, 0.3, None, line(0.3, 1.0), None))
+    assert not has_long_curve((210.0, 0.3))
+    assert not has_long_curve((210.0, 0.3, 1.0, 2))
