@@ -42,6 +42,23 @@ def test_a_crash_loses_its_own_task_alone(work):
     assert found[3] == Lost("the worker process ended: killed by SIGSEGV")
 
 
+def test_a_task_whose_worker_is_killed_from_outside_is_lost_so(work):
+    tasks = [("signal", signal.SIGKILL), ("add", 1), ("signal", signal.SIGABRT)]
+    with Pool(1, work.ready) as pool:
+        found = ends(pool, tasks)
+    assert found[0] == Lost("the worker process ended: killed by SIGKILL", outside=True)
+    assert found[1] == Done(1)
+    assert found[2] == Lost("the worker process ended: killed by SIGABRT")  # its own doing
+
+
+def test_a_task_has_a_worker_that_is_prepared_for_it(work):
+    tasks = [("add", 1), ("process", 0), ("process", 0), ("add", 1), ("process", 0)]
+    with Pool(1, work.ready, 100) as pool:
+        found = ends(pool, tasks, arguments=[(100,), (100,), (100,), (200,), (200,)])
+    assert [found[0], found[3]] == [Done(101), Done(201)]
+    assert found[1] == found[2] != found[4]
+
+
 def test_a_hanging_worker_is_killed_and_replaced(work):
     with Pool(1, work.ready) as pool:
         assert ends(pool, [("add", 1)]) == {0: Done(1)}  # it has started

@@ -1,5 +1,7 @@
 """Planted faults: what they change, that they are caught, and that a blind case is said to be blind."""
 
+import shutil
+import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -8,10 +10,10 @@ import numpy as np
 import pytest
 
 from vmharness.backends.builtin import read_deck
-from vmharness.case import read
+from vmharness.case import CaseError, read
 from vmharness.studies.faults import deck_faults, plant
 from vmharness.studies.faults.deck_faults import Planted
-from vmharness.studies.faults.record import Noticed, coverage
+from vmharness.studies.faults.record import FaultsRecord, Noticed, coverage
 from vmharness.studies.faults.runs import StudyError, finding, planted, record
 from vmharness.studies.gather import gather
 from vmharness.studies.measured import Measured, Value
@@ -99,6 +101,18 @@ def test_what_an_outcome_says_of_a_fault():
         one(Measured(failure="defect: PlantError: the text is gone"))
 
 
+def test_a_run_that_is_ended_from_outside_is_not_judged():
+    killed = one(Measured(failure="the worker process ended: killed by SIGKILL", lost=True))
+    assert (killed.noticed, killed.reason) == (
+        Noticed.UNJUDGED,
+        "the worker process ended: killed by SIGKILL",
+    )
+    assert one(Measured(failure="defect: MemoryError: ", lost=True)).noticed is Noticed.UNJUDGED
+    found = FaultsRecord("VM-061", "", [killed, one(Measured(failure="refused"))])
+    assert (found.caught, found.applicable, found.unjudged) == (1, 1, [killed])
+    assert not coverage([replace(found, findings=[killed])]).matrix
+
+
 def test_parameters_are_wrong_one_at_a_time(ball):
     found = {fault.name: fault.variant.case for fault in deck_faults.parameter_faults(ball, 500)}
     assert found["G +5 %"].deck_parameters() == {"RHO": 2.5437, "G": pytest.approx(1.05 * 386.0)}
@@ -134,6 +148,21 @@ def test_a_number_of_which_no_deck_can_be_made_is_no_fault_to_plant():
     lengths = {name.removesuffix(" -5 %") for name in names if name.endswith(" -5 %")}
     longer = {name.removesuffix(" 1000 times as large") for name in names if "1000 times" in name}
     assert longer < lengths
+
+
+def test_a_wrong_unit_of_a_mesh_that_has_no_end_is_no_fault_to_plant(tmp_path):
+    solid = read(Path(shutil.copytree(CASES / "D-51-solid", tmp_path / "D-51-solid")))
+    most = deck_faults.LARGEST * len(solid.deck_source())
+    long = replace(solid, planted_mesh={"L": 1000.0 * solid.mesh_parameters()["L"]})
+    with pytest.raises(
+        CaseError, match=r"deck\.k\.j2: the deck has more than .* characters: its mesh is too fine"
+    ):
+        long.deck_source(most)
+    began = time.monotonic()
+    names = {fault.name for fault in deck_faults.parameter_faults(solid, 10**6)}
+    assert "L 1000 times as large" not in names
+    assert "L +5 %" in names
+    assert time.monotonic() - began < 20.0
 
 
 def test_supports_go_from_the_cards_or_from_the_nodes(ball):

@@ -1,6 +1,7 @@
 """A case: its file, and the numbers that follow from its data."""
 
 import hashlib
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -59,14 +60,14 @@ class Case:
         template = [] if self.deck_name == self.file.deck.file else [self.file.deck.file]
         return [*self.file.files, *template, "case.toml"]
 
-    def deck_source(self) -> str:
+    def deck_source(self, most: float = math.inf) -> str:
         """The deck that runs in place of the folder's: one that was set, or made of a template; else nothing.
 
-        Raises CaseError where the template is wrong.
+        Raises CaseError where the template is wrong, or makes a deck of more than `most` characters.
         """
         if self.deck_text or not self.file.deck.file.endswith(SUFFIX):
             return self.deck_text
-        return render(self.deck_path, self.mesh_parameters())
+        return render(self.deck_path, self.mesh_parameters(), most)
 
     @property
     def sha256(self) -> str:

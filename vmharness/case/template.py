@@ -1,6 +1,7 @@
 """A deck as a template: Jinja2, sandboxed, with mesh parameters in place of a mesh."""
 
-from collections.abc import Mapping
+import math
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
 from vmharness.case.error import CaseError
@@ -8,10 +9,11 @@ from vmharness.case.error import CaseError
 SUFFIX = ".j2"
 
 
-def render(path: Path, values: Mapping[str, float]) -> str:
+def render(path: Path, values: Mapping[str, float], most: float = math.inf) -> str:
     """The deck that the template makes of `values`; whole numbers are integers there.
 
-    Raises CaseError, with the line, for what is wrong with the template or not defined.
+    Raises CaseError, with the line, for what is wrong with the template or not defined, and where the deck has more
+    than `most` characters.
     """
     from jinja2 import StrictUndefined, TemplateError, TemplateSyntaxError
     from jinja2.sandbox import SandboxedEnvironment
@@ -22,8 +24,19 @@ def render(path: Path, values: Mapping[str, float]) -> str:
     place = f"{path.parent.name}/{path.name}"
     numbers = {name: int(value) if value.is_integer() else value for name, value in values.items()}
     try:
-        return environment.from_string(path.read_text(encoding="utf-8")).render(numbers)
+        pieces = environment.from_string(path.read_text(encoding="utf-8")).generate(numbers)
+        return "".join(_up_to(most, pieces, place))
     except TemplateSyntaxError as error:
         raise CaseError(f"{place}:{error.lineno}: {error.message}") from None
     except (TemplateError, ArithmeticError, TypeError, ValueError) as error:
         raise CaseError(f"{place}: {error}") from None
+
+
+def _up_to(most: float, pieces: Iterable[str], place: str) -> Iterator[str]:
+    """The pieces of a text; raises CaseError once they have more than `most` characters together."""
+    length = 0
+    for piece in pieces:
+        length += len(piece)
+        if length > most:
+            raise CaseError(f"{place}: the deck has more than {most:g} characters: its mesh is too fine")
+        yield piece

@@ -33,9 +33,10 @@ class Raised:
 
 @dataclass(frozen=True)
 class Lost:
-    """The worker crashed, or was killed after its time was up."""
+    """The worker crashed, or was killed after its time was up; or from `outside`, which says nothing of the task."""
 
     reason: str
+    outside: bool = False
 
 
 Message = Began | Progress | Done | Raised | Lost

@@ -17,15 +17,22 @@ from vmharness.execution.message import Began, Lost, Message, Progress, Raised
 from vmharness.execution.worker import Work, serve
 
 IDLE = -1
+OUTSIDE = (
+    "SIGKILL",
+    "SIGTERM",
+    "SIGHUP",
+    "SIGXCPU",
+)  # from the system, as where memory runs out, or from its user
 SPAWN = multiprocessing.get_context("spawn")  # a fork would inherit the threads and locks of numpy and numba
 
 
 @dataclass
 class Worker:
-    """A process, our end of its pipe, and the number of the task that it is at."""
+    """A process, our end of its pipe, what it was prepared with, and the number of the task that it is at."""
 
     process: SpawnProcess
     connection: Connection
+    arguments: tuple[Any, ...]
     task: int = IDLE
     deadline: float = math.inf
 
@@ -37,8 +44,9 @@ class Pool:
     """
 
     def __init__(self, count: int, prepare: Callable[..., Work], *arguments: Any) -> None:
-        self._how = (prepare, arguments)
-        self._workers = [self._start() for _ in range(count)]
+        self._prepare = prepare
+        self._arguments = arguments
+        self._workers = [self._start(arguments) for _ in range(count)]
 
     def __enter__(self) -> "Pool":
         return self
@@ -49,36 +57,48 @@ class Pool:
         for worker in self._workers:
             _kill(worker)
 
-    def each(self, tasks: Sequence[Any], timeout: float = math.inf) -> Iterator[tuple[int, Message]]:
+    def each(
+        self,
+        tasks: Sequence[Any],
+        timeout: float = math.inf,
+        arguments: Sequence[tuple[Any, ...]] | None = None,
+    ) -> Iterator[tuple[int, Message]]:
         """Yield (number of the task, message) until every task is Done, Raised or Lost, which each is just once.
 
         A task that is not done `timeout` seconds after it was given to a worker is lost, and the worker with it.
+        `arguments` of a task, in place of the pool's own: a worker that was prepared with others is replaced.
         """
         waiting = deque(enumerate(tasks))
+        given = arguments or [self._arguments] * len(tasks)
         while True:
             for i, worker in enumerate(self._workers):
                 if worker.task == IDLE and waiting:
                     number, task = waiting.popleft()
-                    self._workers[i] = self._give(worker, number, task, timeout)
+                    self._workers[i] = self._give(worker, number, task, timeout, given[number])
                     yield number, Began()
             busy = [worker for worker in self._workers if worker.task != IDLE]
             if not busy:
                 return
             yield from _listen(busy, timeout)
 
-    def _give(self, worker: Worker, number: int, task: Any, timeout: float) -> Worker:
-        """Send a task to the worker, or to a new one in its place if it is dead; returns the one that has it."""
-        if not worker.process.is_alive():
+    def _give(
+        self, worker: Worker, number: int, task: Any, timeout: float, arguments: tuple[Any, ...]
+    ) -> Worker:
+        """Send a task to the worker, or to a new one in its place if it is dead or prepared with other arguments.
+
+        Returns the one that has the task.
+        """
+        if not worker.process.is_alive() or worker.arguments != arguments:
             _kill(worker)
-            worker = self._start()
+            worker = self._start(arguments)
         worker.task, worker.deadline = number, time.monotonic() + timeout
         with contextlib.suppress(ConnectionError):  # it has just died: the end of its pipe will be heard
             worker.connection.send(task)
         return worker
 
-    def _start(self) -> Worker:
+    def _start(self, arguments: tuple[Any, ...]) -> Worker:
         ours, theirs = SPAWN.Pipe()
-        process = SPAWN.Process(target=serve, args=(theirs, *self._how), daemon=True)
+        process = SPAWN.Process(target=serve, args=(theirs, self._prepare, arguments), daemon=True)
         # An ignored signal stays so in the child, which would else be open to Ctrl-C until its own code runs.
         before = signal.signal(signal.SIGINT, signal.SIG_IGN)
         try:
@@ -86,7 +106,7 @@ class Pool:
         finally:
             signal.signal(signal.SIGINT, before)
         theirs.close()
-        return Worker(process, ours)
+        return Worker(process, ours, arguments)
 
 
 def _listen(busy: Sequence[Worker], timeout: float) -> Iterator[tuple[int, Message]]:
@@ -113,8 +133,10 @@ def _receive(worker: Worker) -> Message:
         message: Message = worker.connection.recv()
         return message
     except (EOFError, OSError):
+        worker.process.join(1.0)  # it says how it ended, before it is killed for certain
         _kill(worker)
-        return Lost(f"the worker process ended: {_ending(worker.process.exitcode)}")
+        ending = _ending(worker.process.exitcode)
+        return Lost(f"the worker process ended: {ending}", outside=ending.endswith(OUTSIDE))
     except Exception as error:  # what came cannot be unpickled
         return Raised(f"{type(error).__name__}: {error}", "")
 

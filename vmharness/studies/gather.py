@@ -8,7 +8,7 @@ from pathlib import Path
 
 import msgspec
 
-from vmharness.execution.message import Began, Done, Lost, Progress, Raised
+from vmharness.execution.message import Began, Done, Lost, Message, Progress, Raised
 from vmharness.execution.pool import Pool
 from vmharness.execution.worker import Report, Work
 from vmharness.explicit.kernels.cache import root
@@ -41,13 +41,17 @@ def gather(
             yield number, known
         else:
             waiting.setdefault(key, []).append(number)
-    for fault in dict.fromkeys(variants[numbers[0]].fault for numbers in waiting.values()):
-        keys = [key for key, numbers in waiting.items() if variants[numbers[0]].fault == fault]
+    for planted in (False, True):
+        keys = [key for key, numbers in waiting.items() if bool(variants[numbers[0]].fault) == planted]
+        if not keys:
+            continue
+        keys.sort(key=lambda key: variants[waiting[key][0]].fault)  # so that few processes serve each fault
         tasks = [variants[waiting[key][0]] for key in keys]
+        arguments = [(solver, task.fault, plant if planted else None) for task in tasks]
         with ExitStack() as stack:
-            own = workers if workers and not fault else None
-            at_work = own or stack.enter_context(Pool(min(jobs, len(tasks)), serving, solver, fault, plant))
-            for task, message in _outcomes(at_work, tasks, keys, timeout):
+            own = None if planted else workers
+            at_work = own or stack.enter_context(Pool(min(jobs, len(tasks)), serving, *arguments[0]))
+            for task, message in _outcomes(at_work.each(tasks, timeout, arguments), keys):
                 for number in waiting[keys[task]]:
                     yield number, message
 
@@ -77,17 +81,17 @@ def serving(solver: str, fault: str, plant: Plant | None) -> Work:
     return work
 
 
-def _outcomes(pool: Pool, tasks: Sequence[Variant], keys: Sequence[str], timeout: float) -> Iterator[Step]:
-    """The pool's messages, with what is done kept on disk."""
-    for task, message in pool.each(tasks, timeout):
+def _outcomes(messages: Iterator[tuple[int, Message]], keys: Sequence[str]) -> Iterator[Step]:
+    """The messages of a pool, with what is done kept on disk."""
+    for task, message in messages:
         match message:
             case Done(outcome):
                 keep(keys[task], outcome)
                 yield task, outcome
-            case Lost(reason):
-                yield task, Measured(failure=reason)
+            case Lost(reason, outside):
+                yield task, Measured(failure=reason, lost=outside)
             case Raised(error):
-                yield task, Measured(failure=f"defect: {error}")
+                yield task, Measured(failure=f"defect: {error}", lost=error.startswith("MemoryError"))
             case _:
                 yield task, message
 

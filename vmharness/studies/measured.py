@@ -47,6 +47,7 @@ class Measured:
     thinned: dict[int, dict[str, list[float | None]]] = field(default_factory=dict)  # by stride: see phases()
     solver: str = ""  # name and version; empty where a run was lost
     cached: bool = False  # found on disk, and not run
+    lost: bool = False  # the run was ended from outside: nothing can be said of it
 
     @property
     def passed(self) -> bool:

@@ -47,7 +47,10 @@ def command(
     if json is not None:
         _write(json, detections)
     _show(detections)
-    statuses = [Status.UNJUDGED] * unjudged + [Status.BROKEN] * (len(broken) + len(unknown))
+    lost = [(found.case, finding) for found in detections for finding in found.unjudged]
+    for case, finding in lost:
+        complain(f"{case}: {finding.fault}: could not be judged: {finding.reason}; run the command again")
+    statuses = [Status.UNJUDGED] * (unjudged + len(lost)) + [Status.BROKEN] * (len(broken) + len(unknown))
     return exit_code(statuses) if statuses else EXIT_CODES[Status.PASS]
 
 

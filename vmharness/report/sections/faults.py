@@ -49,7 +49,7 @@ def cell(finding: Finding | None) -> str:
     >>> cell(Finding("a", "A", "deck", Noticed.MISSED, "z", 0.34)), cell(None)
     ('✗ 0.34 ×', '–')
     """
-    if finding is None or finding.noticed in (Noticed.UNSEEN, Noticed.HARMLESS):
+    if finding is None or finding.noticed in (Noticed.UNSEEN, Noticed.HARMLESS, Noticed.UNJUDGED):
         return DASH
     sign = "✓" if finding.noticed is Noticed.CAUGHT else "✗"
     return f"{sign} {times(finding.share)}"
@@ -146,7 +146,8 @@ def _others(found: FaultsRecord) -> Table:
     rows = [
         [finding.text, KINDS[finding.kind], cell(finding), finding.by or finding.reason or DASH]
         for finding in found.findings
-        if finding.noticed is not Noticed.UNSEEN and finding.fault.partition(" ")[0] not in shown
+        if finding.noticed not in (Noticed.UNSEEN, Noticed.UNJUDGED)
+        and finding.fault.partition(" ")[0] not in shown
     ]
     return Table(["Fault", "Where", "Caught?", "By"], rows, numbers=4)
 
@@ -158,6 +159,7 @@ def _unseen(found: FaultsRecord) -> list[str]:
         finding.fault.partition(" ")[0] for finding in found.findings if finding.noticed is Noticed.HARMLESS
     ]
     said = [f"Not applicable, for the run is the same with it: {', '.join(unseen)}."] if unseen else []
+    said += [f"Could not be judged: {finding.fault} ({finding.reason})." for finding in found.unjudged]
     harmless = ", ".join(dict.fromkeys(idle))
     return said + (
         [f"Of the model, and without effect on any result, however wrong: {harmless}."] if idle else []

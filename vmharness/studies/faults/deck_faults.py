@@ -3,6 +3,7 @@
 One number is wrong, by a few percent, in its sign or in its unit; or supports are missing.
 """
 
+import math
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -19,6 +20,7 @@ from vmharness.studies.variant import Variant
 PERCENTS = (0.1, -0.1, 1.0, -1.0, 5.0, -5.0)
 OTHER_SIGN = "of the other sign"  # which most decks must not have
 SLIP = 1000.0  # between a unit and its thousandth
+LARGEST = 20  # a wrong unit makes the mesh no more than so many times as large: it would only be waited for
 MODEL = "Model"  # the group of the data that are no part of the problem
 
 
@@ -38,13 +40,14 @@ def parameter_faults(case: Case, cycles: int) -> list[Planted]:
     Of the numbers that a template makes its mesh of, those of the model are left alone: they number nodes.
     """
     deck = case.file.deck
+    most = LARGEST * len(case.deck_source()) or math.inf
     found: list[Planted] = []
     for name, formula in deck.parameters.items():
         if formula != RUN_LENGTH:
-            found += _wrong(name, case.evaluate(f"parameter {name}"), _parameter(case, name), cycles)
+            found += _wrong(name, case.evaluate(f"parameter {name}"), _parameter(case, name), cycles, most)
     for name, value in case.mesh_parameters().items():
         if not is_of_model(case, f"mesh {name}"):
-            found += _wrong(name, value, _mesh(case, name), cycles)
+            found += _wrong(name, value, _mesh(case, name), cycles, most)
     return found
 
 
@@ -66,15 +69,17 @@ def _fault(name: str, case: Case) -> Planted:
     return Planted(name, f"In the deck, {name}", "deck", Variant(case, name))
 
 
-def _wrong(name: str, value: float, make: Callable[[float], Case], cycles: int) -> Iterator[Planted]:
-    """What can be wrong with a number; of zero, nothing, and nothing of which a template makes no deck."""
+def _wrong(
+    name: str, value: float, make: Callable[[float], Case], cycles: int, most: float
+) -> Iterator[Planted]:
+    """What can be wrong with a number that is not 0, where the deck then has no more than `most` characters."""
     if value == 0.0:
         return
     changes = [(f"{percent:+g} %", 1.0 + percent / 100.0) for percent in PERCENTS]
     for text, factor in [*changes, (OTHER_SIGN, -1.0), (f"{SLIP:g} times as large", SLIP)]:
         with suppress(CaseError):
             case = make(factor * value)
-            case.deck_source()  # raises where a template makes none
+            case.deck_source(most)  # raises where a template makes none
             yield _fault(f"{name} {text}", _ended(case, cycles) if factor == SLIP else case)
 
 

@@ -17,6 +17,7 @@ class Noticed(StrEnum):
     HARMLESS = (
         "harmless"  # a number of the model, not of the problem, that no result depends on, however wrong
     )
+    UNJUDGED = "could not be judged"  # the run was ended from outside
 
 
 @dataclass(frozen=True)
@@ -52,6 +53,11 @@ class FaultsRecord:
         return self.caught + len(self.missed)
 
     @property
+    def unjudged(self) -> list[Finding]:
+        """What must be run again."""
+        return [finding for finding in self.findings if finding.noticed is Noticed.UNJUDGED]
+
+    @property
     def missed(self) -> list[Finding]:
         """What changed the run, and passed."""
         return [finding for finding in self.findings if finding.noticed is Noticed.MISSED]
@@ -76,7 +82,7 @@ def coverage(detections: Sequence[FaultsRecord]) -> Coverage:
     matrix: dict[str, dict[str, Finding]] = {}
     for detection in detections:
         for finding in detection.findings:
-            if finding.kind != "deck":
+            if finding.kind != "deck" and finding.noticed is not Noticed.UNJUDGED:
                 matrix.setdefault(finding.fault, {})[detection.case] = finding
     missed, unseen = [], []
     for cases in matrix.values():

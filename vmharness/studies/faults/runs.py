@@ -71,7 +71,9 @@ def _is_idle(case: Case, name: str, found: Sequence[Finding]) -> bool:
 
 
 def finding(fault: Planted, sound: Measured, outcome: Measured) -> Finding:
-    """Caught, missed, or the same to the last bit; raises StudyError where the fault could not be planted."""
+    """Caught, missed, without effect or not judged; raises StudyError where the fault could not be planted."""
+    if outcome.lost:
+        return Finding(fault.name, fault.text, fault.kind, Noticed.UNJUDGED, reason=outcome.failure)
     if outcome.failure.startswith("defect: "):
         raise StudyError(f"{fault.name}: {outcome.failure}")
     found = Finding(fault.name, fault.text, fault.kind, Noticed.CAUGHT)
