@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from vmharness.backends import identity
 from vmharness.case import read
-from vmharness.studies import variant
 from vmharness.studies.gather import gather, keep, kept, kept_file
 from vmharness.studies.measured import Measured
 from vmharness.studies.sources import sources
@@ -72,11 +72,11 @@ def test_a_mesh_that_is_wrong_is_in_the_key(ball):
 def test_the_sources_are_the_same_on_every_machine_and_outcomes_are_not(ball, monkeypatch):
     here, known = sources(), Variant(ball).key("builtin")
     monkeypatch.setattr("vmharness.explicit.kernels.cache._processor", lambda: "model name: another")
-    for cached in (sources, variant._machine):
+    for cached in (sources, identity):
         cached.cache_clear()
     assert sources() == here
     assert Variant(ball).key("builtin") != known
-    variant._machine.cache_clear()
+    identity.cache_clear()
 
 
 def test_a_file_of_the_case_that_changes_is_in_the_key_unless_it_is_prose(ball, tmp_path):

@@ -3,7 +3,7 @@
 import numpy as np
 
 from vmharness import plugins
-from vmharness.deck import Deck, DeckError
+from vmharness.deck import Deck
 from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.deck.keywords.node import NODE
@@ -20,6 +20,7 @@ from vmharness.explicit.rigid import elements as rigid_elements
 from vmharness.explicit.rigid.numbers import numbers
 from vmharness.explicit.timestep import caps, discrete, mass_scaling, penalty
 from vmharness.explicit.walls import planar
+from vmharness.mesh.nodes import nodes_of
 
 
 def build(deck: Deck) -> Model:
@@ -59,14 +60,9 @@ def _add_all(folder: str, deck: Deck, model: Model) -> None:
 
 
 def _nodes(deck: Deck) -> Model:
-    tables = deck.all(NODE)
-    if not tables:
-        raise DeckError("no *NODE in the deck", str(deck.path.name), 1)
-    bodies = np.array(numbers(deck), np.int64)
-    ids = np.concatenate([*(table.nid for table in tables), -bodies])
-    x = np.concatenate([
-        *(np.column_stack([table.x, table.y, table.z]) for table in tables), np.zeros((bodies.size, 3))
-    ])  # fmt: skip
+    nodes, bodies = nodes_of(deck), np.array(numbers(deck), np.int64)
+    ids = np.concatenate([nodes.ids, -bodies])
+    x = np.concatenate([nodes.x0, np.zeros((bodies.size, 3))])
     n = ids.size
     state = State(x.copy(), np.zeros((n, 3)), np.zeros((n, 3)), np.zeros(n), np.zeros(n))
     termination = deck.one(CONTROL_TERMINATION)
@@ -80,7 +76,6 @@ def _nodes(deck: Deck) -> Model:
         step_factor=timestep.tssfac if timestep else 0.9,
         dtmin=termination.dtmin,
         ncpu=ncpu(deck),
-        order=np.argsort(ids),
     )
 
 

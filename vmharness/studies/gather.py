@@ -8,10 +8,11 @@ from pathlib import Path
 
 import msgspec
 
+from vmharness.cache import root
+from vmharness.execution.folders import WorkFolders
 from vmharness.execution.message import Began, Done, Lost, Progress, Raised
 from vmharness.execution.pool import Pool
 from vmharness.execution.worker import Report, Work
-from vmharness.explicit.kernels.cache import root
 from vmharness.studies.measured import Measured, measured
 from vmharness.studies.variant import Variant
 
@@ -69,27 +70,33 @@ def serving(solver: str, fault: str, plant: Plant | None) -> Work:
     from vmharness.backends import backend
     from vmharness.run import run
 
-    solves = backend(solver)
+    chosen = backend(solver)
 
-    def work(variant: Variant, progress: Report) -> Measured:
-        return measured(run(variant.case, solves, progress), variant.strides)
+    def work(task: tuple[Variant, Path], progress: Report) -> Measured:
+        variant, folder = task
+        return measured(run(variant.case, chosen, progress, folder), variant.strides)
 
     return work
 
 
 def _outcomes(pool: Pool, tasks: Sequence[Variant], keys: Sequence[str], timeout: float) -> Iterator[Step]:
-    """The pool's messages, with what is done kept on disk."""
-    for task, message in pool.each(tasks, timeout):
-        match message:
-            case Done(outcome):
-                keep(keys[task], outcome)
-                yield task, outcome
-            case Lost(reason):
-                yield task, Measured(failure=reason)
-            case Raised(error):
-                yield task, Measured(failure=f"defect: {error}")
-            case _:
-                yield task, message
+    """The pool's messages, with what is done kept on disk; of the files of a run, nothing is."""
+    with WorkFolders() as folders:
+        work = [(variant, folders.folder(task)) for task, variant in enumerate(tasks)]
+        for task, message in pool.each(work, timeout):
+            match message:
+                case Done(outcome):
+                    folders.close(task)
+                    keep(keys[task], outcome)
+                    yield task, outcome
+                case Lost(reason):
+                    folders.close(task)
+                    yield task, Measured(failure=reason)
+                case Raised(error):
+                    folders.close(task)
+                    yield task, Measured(failure=f"defect: {error}")
+                case _:
+                    yield task, message
 
 
 def kept_file(key: str) -> Path:

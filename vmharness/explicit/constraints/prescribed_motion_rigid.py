@@ -11,10 +11,10 @@ import numpy as np
 from vmharness.deck import Deck
 from vmharness.deck.keywords.boundary.prescribed_motion_rigid import BOUNDARY_PRESCRIBED_MOTION_RIGID
 from vmharness.explicit.constraints import prescribed_motion
-from vmharness.explicit.model.dof import place
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.rigid.members import held_by_cmo
 from vmharness.explicit.rigid.numbers import definitions, lead_number
+from vmharness.mesh.dof import place
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -23,8 +23,9 @@ from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.sets import masses_of_parts, nodes_of_parts
+from vmharness.explicit.model.sets import masses_of_parts
 from vmharness.explicit.model.state import Array, State
+from vmharness.mesh.sets import nodes_of_parts
 
 Index = NDArray[np.intp]
 Term = tuple[Index, Array, Curve]  # nodes (m,), S (6,), D(t)

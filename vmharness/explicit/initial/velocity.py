@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.initial.velocity import INITIAL_VELOCITY, INITIAL_VELOCITY_NODE
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.sets import node_set
+from vmharness.mesh.sets import node_set
 
 
 def build(deck: Deck, model: Model) -> None:

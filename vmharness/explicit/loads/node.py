@@ -12,10 +12,10 @@ from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.load.node import LOAD_NODE_POINT, LOAD_NODE_SET
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
-from vmharness.explicit.model.dof import place
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.sets import node_set
 from vmharness.explicit.model.state import Array, State
+from vmharness.mesh.dof import place
+from vmharness.mesh.sets import node_set
 
 NAME = "nodal load"
 

@@ -6,9 +6,9 @@ from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.load.rigid_body import LOAD_RIGID_BODY
 from vmharness.explicit.loads.node import NodalLoad
 from vmharness.explicit.model.curve import time_curve
-from vmharness.explicit.model.dof import place
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.rigid.numbers import lead_number
+from vmharness.mesh.dof import place
 
 NAME = "load on a rigid body"
 

@@ -14,11 +14,11 @@ from vmharness.deck.keywords.constrained.nodal_rigid_body import CONSTRAINED_NOD
 from vmharness.deck.keywords.constrained.rigid_bodies import CONSTRAINED_RIGID_BODIES
 from vmharness.deck.keywords.mat.rigid import MAT_RIGID
 from vmharness.deck.keywords.part import PART, has_inertia
-from vmharness.explicit.model.dof import coded
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.sets import node_set, nodes_of_parts
 from vmharness.explicit.rigid.inertia import Inertia, of_card, of_points, off_axis
 from vmharness.explicit.rigid.numbers import body_number, definitions, lead_number, leads, numbers
+from vmharness.mesh.dof import coded
+from vmharness.mesh.sets import node_set, nodes_of_parts
 
 Index = NDArray[np.intp]
 

@@ -14,13 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.deck import Deck
-from vmharness.explicit.contact.surface.faces import area_vectors, faces_of_solids, outside
 from vmharness.explicit.elements.shell._parts import shell_parts, thickness
 from vmharness.explicit.elements.solid._gradient import measures
 from vmharness.explicit.elements.solid._parts import SUPPORTED, solid_parts
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Index, Part
 from vmharness.explicit.model.state import Array
+from vmharness.mesh.faces import area_vectors, faces_of_solids, outside
 
 
 @dataclass(frozen=True)

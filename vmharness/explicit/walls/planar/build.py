@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.rigidwall import KEYWORDS
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
-from vmharness.explicit.constraints.spc import supported
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Array
 from vmharness.explicit.walls.planar.face import covers, face_of
 from vmharness.explicit.walls.planar.tracked import rigid_nodes, tracked
 from vmharness.explicit.walls.planar.wall import PlanarWall
+from vmharness.mesh.supports import supported
 
 Flags = NDArray[np.bool_]
 

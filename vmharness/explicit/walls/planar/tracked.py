@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.control.contact import CONTROL_CONTACT
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.sets import node_set
 from vmharness.explicit.model.state import Array
 from vmharness.explicit.rigid.members import members
 from vmharness.explicit.walls.planar.face import NORMAL
+from vmharness.mesh.sets import node_set
 
 Index = NDArray[np.intp]
 Flags = NDArray[np.bool_]
