@@ -47,7 +47,20 @@ def test_an_interrupted_study_keeps_what_is_done(store, ball):
     assert "no *NODE in the deck" in found[1].failure
 
 
-def test_what_the_outcome_depends_on_is_in_the_key(ball):
+OTHER = """
+from vmharness.backends.protocol import Found
+
+NAME = "Other"
+review = reports = solve = None
+
+def found():
+    return Found(version="1.0")
+"""
+
+
+def test_what_the_outcome_depends_on_is_in_the_key(ball, installed):
+    installed("other", OTHER)
+
     def key(case, solver="builtin", fault=""):
         return Variant(case, "any", fault).key(solver)
 
@@ -62,6 +75,15 @@ def test_what_the_outcome_depends_on_is_in_the_key(ball):
     ]
     assert len(set(keys)) == len(keys)
     assert key(case) == Variant(case, "another label").key("builtin")
+
+
+def test_the_version_of_a_solver_and_the_text_of_its_adapter_are_in_the_key(ball, installed):
+    keys = []
+    for source in (OTHER, OTHER.replace("1.0", "1.1"), OTHER + "FINER = True\n", OTHER):
+        installed("other", source)
+        keys.append(Variant(ball).key("other"))
+    assert keys[0] == keys[3]
+    assert len(set(keys)) == 3
 
 
 def test_a_mesh_that_is_wrong_is_in_the_key(ball):

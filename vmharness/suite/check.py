@@ -46,12 +46,13 @@ def _deck(case: "Case", solver: str) -> list[str]:
     from vmharness.case.deck import read_deck
     from vmharness.deck import DeckError
 
+    wrong: list[str] = []
     try:
-        deck = read_deck(case)
+        wrong += backend(solver).review(read_deck(case), case.file.channels)
         read_deck(_with_parameters_set(case))
-        return backend(solver).review(deck, case.file.channels)
     except (DeckError, BackendError) as error:
-        return [str(error)]
+        wrong.append(str(error))
+    return wrong
 
 
 def _with_parameters_set(case: "Case") -> "Case":
