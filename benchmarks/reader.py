@@ -13,8 +13,8 @@ from meshes import HEAD, sheet
 from vmharness.deck import read, vocabulary
 
 RUN = """
-import sys, pathlib, vmharness.case, vmharness.backends.builtin as builtin
-builtin.solve(vmharness.case.read(pathlib.Path(sys.argv[1])))
+import sys, pathlib, vmharness.case, vmharness.solve, vmharness.backends.builtin as builtin
+vmharness.solve.solve(vmharness.case.read(pathlib.Path(sys.argv[1])), builtin)
 """
 
 

@@ -10,13 +10,15 @@ PACKAGE = Path(__file__).parents[1] / "vmharness"
 
 # A module of a layer imports from layers before it, and from its own. What stands in one layer together is independent.
 LAYERS = [
-    {"plugins", "round_off"},
+    {"plugins", "round_off", "cache"},
     {"formula", "history", "events", "compare", "deck", "execution"},
+    {"mesh"},
     {"explicit", "case"},
     {"result"},
     {"measure"},
     {"reading"},
     {"backends"},
+    {"solve"},
     {"run"},
     {"studies"},
     {"report"},
@@ -31,6 +33,7 @@ APART = {
     "events",
     "compare",
     "deck",
+    "mesh",
     "explicit",
     "case",
     "execution",
@@ -68,13 +71,36 @@ def test_imports_point_one_way(path):
 
 def test_the_solver_knows_nothing_of_the_harness():
     for path in (PACKAGE / "explicit").rglob("*.py"):
-        assert imported(path) <= {"deck", "plugins", "explicit"}, path
+        assert imported(path) <= {"deck", "mesh", "cache", "plugins", "explicit"}, path
+
+
+SOLVER = ("vmharness.explicit", "vmharness.backends.builtin")
+
+
+def test_no_module_knows_the_built_in_solver_but_itself():
+    own = (PACKAGE / "explicit", PACKAGE / "backends" / "builtin")
+    for path in MODULES:
+        if not any(path.is_relative_to(room) for room in own):
+            assert not [name for name in full_names(path) if name.startswith(SOLVER)], path
+
+
+def full_names(path: Path) -> list[str]:
+    """The modules that a module imports, and the names that it takes from them."""
+    found = []
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.ImportFrom) and node.module:
+            found += [f"{node.module}.{alias.name}" for alias in node.names]
+        elif isinstance(node, ast.Import):
+            found += [alias.name for alias in node.names]
+    return found
 
 
 def test_the_check_can_fail(tmp_path):
     wrong = tmp_path / "wrong.py"
     wrong.write_text("def f():\n    from vmharness.report import page\n    import vmharness.cli.say\n")
     assert imported(wrong) == {"report", "cli"}
+    wrong.write_text("def f():\n    from vmharness.backends import backend, builtin\n")
+    assert full_names(wrong) == ["vmharness.backends.backend", "vmharness.backends.builtin"]
 
 
 def name_of(path: Path) -> str:

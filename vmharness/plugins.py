@@ -1,9 +1,18 @@
-"""The folder is the list: find the modules of a drop-in package, and hold each to the folder's contract."""
+"""The folder is the list: find the modules of a drop-in package, and hold each to the folder's contract.
+
+What other installed packages offer under an entry point group is found in the same way.
+"""
 
 from collections.abc import Iterator
+from hashlib import sha256
 from importlib import import_module
+from pathlib import Path
 from pkgutil import iter_modules
 from types import ModuleType
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
 
 
 class ContractError(ImportError):
@@ -22,6 +31,18 @@ def names(package: str) -> list[str]:
     return sorted(name for name in found if not name.startswith("_"))
 
 
+def rooms(package: str) -> list[str]:
+    """Names of the sub-packages in the folder of `package`: where each drop-in is a folder of its own.
+
+    >>> rooms("vmharness.backends")
+    ['builtin']
+    """
+    path = import_module(package).__path__
+    return sorted(
+        found.name for found in iter_modules(path) if found.ispkg and not found.name.startswith("_")
+    )
+
+
 def module(package: str, name: str, *required: str) -> ModuleType:
     """Import the module `name` of the folder of `package`; raises ContractError if it lacks a `required` name."""
     found = import_module(f"{package}.{name}")
@@ -32,7 +53,8 @@ def module(package: str, name: str, *required: str) -> ModuleType:
 def require(found: ModuleType, package: str, *required: str) -> None:
     """Raise ContractError, which names the file, if a module of the folder of `package` lacks a `required` name."""
     if missing := [each for each in required if not hasattr(found, each)]:
-        raise ContractError(f"{found.__file__}: a module of {package} must define {', '.join(missing)}")
+        file = getattr(found, "__file__", repr(found))
+        raise ContractError(f"{file}: a module of {package} must define {', '.join(missing)}")
 
 
 def modules(package: str, *required: str) -> list[ModuleType]:
@@ -51,3 +73,34 @@ def _modules(package: str, required: tuple[str, ...]) -> Iterator[ModuleType]:
             yield from _modules(found.__name__, required)
         else:
             yield module(package, name, *required)
+
+
+def offered(group: str) -> "dict[str, list[EntryPoint]]":
+    """The entry points of `group` in all installed packages, by name; none of them is imported."""
+    from importlib.metadata import (
+        entry_points,  # reads every installed package's, and takes a while to import
+    )
+
+    found: dict[str, list[EntryPoint]] = {}
+    for point in entry_points(group=group):
+        found.setdefault(point.name, []).append(point)
+    return found
+
+
+def load(point: "EntryPoint", *required: str) -> ModuleType:
+    """Import the module of an entry point; raises ContractError if it lacks a `required` name."""
+    found: ModuleType = point.load()
+    require(found, point.group, *required)
+    return found
+
+
+def said(point: "EntryPoint") -> str:
+    """An entry point in words: its module, and the package that it is of."""
+    return f"{point.value} of the package {point.dist.name}" if point.dist else point.value
+
+
+def digest(module: ModuleType) -> str:
+    """SHA-256 of the file of a module, or of all sources of a package."""
+    file = Path(str(module.__file__))
+    files = sorted(file.parent.rglob("*.py")) if hasattr(module, "__path__") else [file]
+    return sha256(b"\0".join(file.read_bytes() for file in files)).hexdigest()

@@ -10,6 +10,7 @@ from vmharness.case import Case
 from vmharness.compare import Comparison, Verdict, worst
 from vmharness.events import Event
 from vmharness.history import History
+from vmharness.mesh.view import View
 from vmharness.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
@@ -67,25 +68,6 @@ class Reading:
     target: float
     other: tuple[float, float] | None = None  # time and value of another reading that the case proposes
     other_same: bool = False
-
-
-@dataclass(frozen=True)
-class View:
-    """The model as read from the deck, to be drawn; rows are of `x`."""
-
-    ids: NDArray[np.int64]  # (n,)
-    x: Array  # (n, 3)
-    shells: NDArray[np.intp]  # (ne, 4)
-    solids: NDArray[np.intp]  # (ne, 8)
-    beams: NDArray[np.intp]  # (ne, 2) beams and trusses
-    discrete: NDArray[np.intp]  # (ne, 2) springs and dampers between nodes
-    masses: NDArray[np.intp]  # rows with an *ELEMENT_MASS
-    supports: NDArray[np.intp]  # rows with a fixed degree of freedom
-    gravity: Array  # (3,) acceleration that body loads give at t = 0
-    contacts: tuple[tuple[NDArray[np.intp], NDArray[np.intp]], ...]  # tracked rows (nt,), segments (ns, 4)
-    arrows: Mapping[str, tuple[Array, Array]] = field(
-        default_factory=dict
-    )  # by what acts: places, directions (n, 3)
 
 
 @dataclass(frozen=True)

@@ -1,9 +1,9 @@
 """One case through one solver: deck in, judged results out."""
 
 import hashlib
-from collections.abc import Callable
+from pathlib import Path
 
-from vmharness.backends import Backend
+from vmharness.backends.protocol import Backend
 from vmharness.case import Case
 from vmharness.case.format import Result
 from vmharness.case.tolerance import budget
@@ -14,16 +14,17 @@ from vmharness.history import History
 from vmharness.measure import find_event, value_at
 from vmharness.reading import readings
 from vmharness.result import CaseRun, Published, Row, Solution
+from vmharness.solve import Progress, solve
 
-Progress = Callable[[float], None]
 
-
-def run(case: Case, backend: Backend, progress: Progress | None = None) -> CaseRun:
+def run(
+    case: Case, backend: Backend, progress: Progress | None = None, folder: Path | None = None
+) -> CaseRun:
     """Give the deck to the solver, measure what the theory predicts, compare.
 
     What a deck or a solver does wrong raises nothing: it is a run that could not be judged, with its reason.
     """
-    return judge(case, backend.solve(case, progress))
+    return judge(case, solve(case, backend, progress, folder))
 
 
 def judge(case: Case, solution: Solution) -> CaseRun:

@@ -4,11 +4,9 @@ import hashlib
 import shutil
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from vmharness.backends import builtin
-from vmharness.backends.builtin.view import view_of
 from vmharness.case import read
 from vmharness.run import run
 
@@ -55,31 +53,3 @@ def test_the_hash_of_every_included_file_is_on_the_page_and_in_junit(including, 
         assert digest in text
         assert judged.deck_sha256 in text
     assert f'name="gravity.k.sha256" value="{digest}"' in render("junit", [judged])
-
-
-def drawn(name):
-    """The model of a case as its picture shows it."""
-    case = read(BALL.parent / name)
-    deck = builtin.read_deck(case)
-    return view_of(deck, builtin.build(deck))
-
-
-def test_the_picture_has_solids_and_forces_where_they_act():
-    view = drawn("D-51-solid")
-    assert view.solids.shape == (98 * 4, 8)
-    places, directions = view.arrows["force"]
-    assert places.shape == (10, 3)
-    assert np.all(places[:, 0] == 1.0)
-    assert np.all(directions == [0.0, 0.0, 1.0])
-
-
-def test_pressure_points_against_the_normal_of_its_segments():
-    places, directions = drawn("D-49").arrows["pressure"]  # from within a ring about z
-    outward = places * [1.0, 1.0, 0.0] / np.hypot(places[:, 0], places[:, 1])[:, None]
-    assert directions == pytest.approx(outward, abs=1e-8)
-
-
-def test_a_motion_points_the_way_it_goes():
-    places, directions = drawn("D-43").arrows["motion"]
-    assert np.all(places[:, 1] == 1.0)
-    assert np.all(directions == [1.0, 0.0, 0.0])

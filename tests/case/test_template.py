@@ -2,10 +2,12 @@ from pathlib import Path
 
 import pytest
 
-from vmharness.backends.builtin import read_deck, solve
+from vmharness.backends import builtin
 from vmharness.case import CaseError, read
+from vmharness.case.deck import read_deck
 from vmharness.case.format import Fault
 from vmharness.case.template import render
+from vmharness.solve import solve
 from vmharness.studies.faults.declared import planted
 
 BAR = Path(__file__).parents[2] / "cases" / "D-37"
@@ -63,13 +65,13 @@ def test_a_fault_in_what_only_the_template_uses_is_in_the_deck():
 
 def test_the_deck_that_ran_is_kept():
     case = read(BAR).with_given({"n": 50.0})
-    solution = solve(case)
+    solution = solve(case, builtin)
     assert not solution.failure
     again = case.with_deck(solution.resolved_deck)
     assert len(read_deck(again).one("ELEMENT_BEAM").eid) == 50
     assert case.deck_name == "deck.k"
-    assert solve(read(BAR)).resolved_deck.splitlines()[2].startswith("D-37: bar fixed at one end")
+    assert solve(read(BAR), builtin).resolved_deck.splitlines()[2].startswith("D-37: bar fixed at one end")
 
 
 def test_a_mesh_that_lacks_the_measured_node_cannot_run():
-    assert "no *NODE 401" in solve(read(BAR).with_given({"n": 25.0})).failure
+    assert "no *NODE 401" in solve(read(BAR).with_given({"n": 25.0}), builtin).failure

@@ -5,7 +5,7 @@ import time
 
 import pytest
 
-from vmharness.backends.builtin import SOLVER
+from vmharness import __version__
 from vmharness.case import read
 from vmharness.studies import gather
 from vmharness.studies.converge.runs import variants
@@ -50,7 +50,7 @@ def test_converge_says_the_order_and_leaves_it_for_the_page(study, here, vm):
 def test_check_names_studies_that_other_sources_made(study, here, vm, monkeypatch):
     assert vm("converge", "VM-061")[0] == 0
     made = json.loads((here / "reports/VM-061/studies/converge.json").read_text())["made_by"]
-    assert made == {"solver": SOLVER, "sources": sources()}
+    assert made == {"solver": f"vmharness {__version__}", "sources": sources()}
     assert "study converge" not in vm("check", "VM-061")[1]
     monkeypatch.setattr("vmharness.studies.sources.sources", lambda: "0123abcd" * 8)
     line = f"doubtful: study converge: made by sources {made['sources'][:8]}, which are now 0123abcd"

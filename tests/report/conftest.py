@@ -11,7 +11,8 @@ from vmharness.compare import Tolerance, compare
 from vmharness.events import Event
 from vmharness.formula import Unit
 from vmharness.history import History
-from vmharness.result import CaseRun, Published, Reading, Row, Solution, View
+from vmharness.mesh.view import View
+from vmharness.result import CaseRun, Published, Reading, Row, Solution
 
 CASE = Path(__file__).parents[2] / "cases" / "VM-061"
 

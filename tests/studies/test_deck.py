@@ -2,9 +2,11 @@ from pathlib import Path
 
 import pytest
 
-from vmharness.backends.builtin import read_deck, solve
+from vmharness.backends import builtin
 from vmharness.case import read
+from vmharness.case.deck import read_deck
 from vmharness.deck import DeckError
+from vmharness.solve import solve
 from vmharness.studies.changed_deck import with_entries, with_step
 
 CASES = Path(__file__).parents[2] / "cases"
@@ -20,7 +22,7 @@ def test_the_time_step_is_scaled_through_the_deck(id):
 
 
 def test_half_the_step_takes_twice_the_cycles(ball):
-    whole, half = solve(ball), solve(with_step(ball, 0.5))
+    whole, half = solve(ball, builtin), solve(with_step(ball, 0.5), builtin)
     assert half.cycles == pytest.approx(2 * whole.cycles, abs=1)
     assert half.resolved_deck.startswith("*KEYWORD LONG=Y")
 

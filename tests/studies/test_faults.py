@@ -9,8 +9,8 @@ import msgspec
 import numpy as np
 import pytest
 
-from vmharness.backends.builtin import read_deck
 from vmharness.case import CaseError, read
+from vmharness.case.deck import read_deck
 from vmharness.studies.faults import deck_faults, plant
 from vmharness.studies.faults.deck_faults import Planted
 from vmharness.studies.faults.record import FaultsRecord, Noticed, coverage

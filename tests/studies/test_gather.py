@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from vmharness.backends import identity
 from vmharness.case import read
-from vmharness.studies import variant
 from vmharness.studies.gather import gather, keep, kept, kept_file
 from vmharness.studies.measured import Measured
 from vmharness.studies.sources import sources
@@ -47,7 +47,20 @@ def test_an_interrupted_study_keeps_what_is_done(store, ball):
     assert "no *NODE in the deck" in found[1].failure
 
 
-def test_what_the_outcome_depends_on_is_in_the_key(ball):
+OTHER = """
+from vmharness.backends.protocol import Found
+
+NAME = "Other"
+review = reports = solve = None
+
+def found():
+    return Found(version="1.0")
+"""
+
+
+def test_what_the_outcome_depends_on_is_in_the_key(ball, installed):
+    installed("other", OTHER)
+
     def key(case, solver="builtin", fault=""):
         return Variant(case, "any", fault).key(solver)
 
@@ -64,6 +77,15 @@ def test_what_the_outcome_depends_on_is_in_the_key(ball):
     assert key(case) == Variant(case, "another label").key("builtin")
 
 
+def test_the_version_of_a_solver_and_the_text_of_its_adapter_are_in_the_key(ball, installed):
+    keys = []
+    for source in (OTHER, OTHER.replace("1.0", "1.1"), OTHER + "FINER = True\n", OTHER):
+        installed("other", source)
+        keys.append(Variant(ball).key("other"))
+    assert keys[0] == keys[3]
+    assert len(set(keys)) == 3
+
+
 def test_a_mesh_that_is_wrong_is_in_the_key(ball):
     bar = read(ball.folder.parent / "D-37")
     assert Variant(bar).key("builtin") != Variant(bar.with_deck_of({"n": 50.0})).key("builtin")
@@ -72,11 +94,11 @@ def test_a_mesh_that_is_wrong_is_in_the_key(ball):
 def test_the_sources_are_the_same_on_every_machine_and_outcomes_are_not(ball, monkeypatch):
     here, known = sources(), Variant(ball).key("builtin")
     monkeypatch.setattr("vmharness.explicit.kernels.cache._processor", lambda: "model name: another")
-    for cached in (sources, variant._machine):
+    for cached in (sources, identity):
         cached.cache_clear()
     assert sources() == here
     assert Variant(ball).key("builtin") != known
-    variant._machine.cache_clear()
+    identity.cache_clear()
 
 
 def test_a_file_of_the_case_that_changes_is_in_the_key_unless_it_is_prose(ball, tmp_path):

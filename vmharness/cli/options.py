@@ -42,7 +42,7 @@ def running(command: Command) -> Command:
     for option in (
         _timeout(),
         data,
-        _solver_option(),
+        solver_option(),
         _jobs_option("1", "Worker processes; auto: one a core."),
     ):
         command = option(command)
@@ -66,7 +66,7 @@ def studying(command: Callable[..., Any]) -> Callable[..., Any]:
             help="Folder of the reports.  [default: reports]",
         ),
         _timeout(),
-        _solver_option(),
+        solver_option(),
         _jobs_option("auto", "Worker processes.  [default: one a core]"),
     )
     for option in options:
@@ -84,7 +84,8 @@ def _timeout() -> Callable[[Command], Command]:
     )
 
 
-def _solver_option() -> Callable[[Command], Command]:
+def solver_option() -> Callable[[Command], Command]:
+    """Add --solver."""
     return click.option(
         "--solver", default=SOLVER, metavar="NAME", callback=_solver, help=f"[default: {SOLVER}]"
     )
@@ -122,8 +123,10 @@ def _jobs(ctx: click.Context, parameter: click.Parameter, value: str) -> int:
 
 
 def _solver(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
-    if value not in (names := _folder("backends")):
-        raise click.BadParameter(f"no solver {value}; there are: {', '.join(names)}")
+    from vmharness.backends import names
+
+    if value != SOLVER and value not in names():
+        raise click.BadParameter(f"no solver {value}; there are: {', '.join(names())}")
     return value
 
 

@@ -1,5 +1,6 @@
 """Selected cases through solver, comparison and reports; what goes wrong with one stops no other."""
 
+import contextlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -17,7 +18,6 @@ from vmharness.suite.outcome import Outcome, Status, Unwritten
 from vmharness.suite.select import Entry
 
 NOT_REACHED = "interrupted before it was done"
-COMPILED = "builtin"  # the solver whose kernels are compiled when it first runs
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ def run_cases(found: Sequence[Entry], wanted: Wanted) -> tuple[list[Outcome], li
         min(wanted.jobs, len(found)), solving, wanted.solver
     ) as pool:  # they start while cases are read
         cases, outcomes = read_cases(found, wanted.data)
-        _say_if_cold(wanted.solver)
+        _say_notice(wanted.solver)
         if wanted.report:
             reports.get_ready()
         events = judged(pool, cases, wanted.solver, wanted.timeout)
@@ -91,8 +91,10 @@ def _page(outcome: Outcome, wanted: Wanted) -> list[Unwritten]:
     return reports.attempted(f"the report of {outcome.id}", write)
 
 
-def _say_if_cold(solver: str) -> None:
-    from vmharness.explicit.kernels import cache
+def _say_notice(solver: str) -> None:
+    """What the solver has to say before a first run; one that cannot be used is each case's outcome."""
+    from vmharness.backends import BackendError, backend
 
-    if solver == COMPILED and cache.is_cold():
-        say("compiling the solver's kernels: a first run takes longer, up to a minute")
+    with contextlib.suppress(BackendError):
+        if notice := backend(solver).found().notice:
+            say(notice)

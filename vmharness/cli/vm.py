@@ -10,8 +10,10 @@ from collections.abc import Sequence
 import click
 
 from vmharness import plugins
+from vmharness.backends import BackendError
 from vmharness.cli.say import complain
 from vmharness.execution.garbage import collect_rarely
+from vmharness.suite.outcome import EXIT_CODES, Status
 
 COMMANDS = "vmharness.cli.commands"
 INTERRUPTED, DEFECT, USAGE = 2, 3, 4
@@ -60,6 +62,9 @@ def guarded(arguments: Sequence[str] | None) -> int:
     except (click.Abort, KeyboardInterrupt):
         complain("interrupted")
         return INTERRUPTED
+    except BackendError as error:
+        complain(str(error))
+        return EXIT_CODES[Status.UNJUDGED]
     except Exception as error:
         return _defect(error, given)
 

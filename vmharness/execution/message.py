@@ -1,5 +1,6 @@
 """What a worker process says of a task, and what the pool says where the worker no longer can."""
 
+import signal
 from dataclasses import dataclass
 from typing import Any
 
@@ -40,3 +41,14 @@ class Lost:
 
 
 Message = Began | Progress | Done | Raised | Lost
+
+
+def ending(code: int | None) -> str:
+    """How a process ended, in words.
+
+    >>> ending(-11), ending(3)
+    ('killed by SIGSEGV', 'exit code 3')
+    """
+    if code is not None and code < 0:
+        return f"killed by {signal.Signals(-code).name}"
+    return f"exit code {code}"

@@ -13,7 +13,8 @@ from multiprocessing.context import SpawnProcess
 from types import TracebackType
 from typing import Any
 
-from vmharness.execution.message import Began, Lost, Message, Progress, Raised
+from vmharness.execution.message import Began, Lost, Message, Progress, Raised, ending
+from vmharness.execution.session import end
 from vmharness.execution.worker import Work, serve
 
 IDLE = -1
@@ -35,12 +36,13 @@ class Worker:
     arguments: tuple[Any, ...]
     task: int = IDLE
     deadline: float = math.inf
+    ended: bool = False
 
 
 class Pool:
     """`count` workers that each do `prepare(*arguments)` once, and what that returns for every task.
 
-    A context manager: on leaving it, whatever is still running is killed.
+    A context manager: on leaving it, whatever is still running is killed, with the programs that it has started.
     """
 
     def __init__(self, count: int, prepare: Callable[..., Work], *arguments: Any) -> None:
@@ -65,21 +67,28 @@ class Pool:
     ) -> Iterator[tuple[int, Message]]:
         """Yield (number of the task, message) until every task is Done, Raised or Lost, which each is just once.
 
-        A task that is not done `timeout` seconds after it was given to a worker is lost, and the worker with it.
+        A task that is not done `timeout` seconds after it was given to a worker is lost, and the worker with it. So are
+        the workers that are busy when the caller stops to listen: an interrupt, above all.
         `arguments` of a task, in place of the pool's own: a worker that was prepared with others is replaced.
         """
         waiting = deque(enumerate(tasks))
         given = arguments or [self._arguments] * len(tasks)
-        while True:
-            for i, worker in enumerate(self._workers):
-                if worker.task == IDLE and waiting:
-                    number, task = waiting.popleft()
-                    self._workers[i] = self._give(worker, number, task, timeout, given[number])
-                    yield number, Began()
-            busy = [worker for worker in self._workers if worker.task != IDLE]
-            if not busy:
-                return
-            yield from _listen(busy, timeout)
+        try:
+            while True:
+                for i, worker in enumerate(self._workers):
+                    if worker.task == IDLE and waiting:
+                        number, task = waiting.popleft()
+                        self._workers[i] = self._give(worker, number, task, timeout, given[number])
+                        yield number, Began()
+                busy = [worker for worker in self._workers if worker.task != IDLE]
+                if not busy:
+                    return
+                yield from _listen(busy, timeout)
+        finally:
+            for worker in self._workers:
+                if worker.task != IDLE:
+                    worker.task = IDLE
+                    _kill(worker)
 
     def _give(
         self, worker: Worker, number: int, task: Any, timeout: float, arguments: tuple[Any, ...]
@@ -88,7 +97,7 @@ class Pool:
 
         Returns the one that has the task.
         """
-        if not worker.process.is_alive() or worker.arguments != arguments:
+        if wait([worker.process.sentinel], 0) or worker.arguments != arguments:
             _kill(worker)
             worker = self._start(arguments)
         worker.task, worker.deadline = number, time.monotonic() + timeout
@@ -135,24 +144,19 @@ def _receive(worker: Worker) -> Message:
     except (EOFError, OSError):
         worker.process.join(1.0)  # it says how it ended, before it is killed for certain
         _kill(worker)
-        ending = _ending(worker.process.exitcode)
-        return Lost(f"the worker process ended: {ending}", outside=ending.endswith(OUTSIDE))
+        ended = ending(worker.process.exitcode)
+        return Lost(f"the worker process ended: {ended}", outside=ended.endswith(OUTSIDE))
     except Exception as error:  # what came cannot be unpickled
         return Raised(f"{type(error).__name__}: {error}", "")
 
 
 def _kill(worker: Worker) -> None:
+    """End the worker and all that it has started."""
+    if worker.ended:
+        return
+    worker.ended = True
     worker.connection.close()
-    worker.process.kill()
+    if worker.process.pid is not None:
+        end(worker.process.pid)  # before it is waited for: until then no other process has its number
+    worker.process.kill()  # it may not have come to lead a session
     worker.process.join()
-
-
-def _ending(code: int | None) -> str:
-    """How a process ended, in words.
-
-    >>> _ending(-11), _ending(3)
-    ('killed by SIGSEGV', 'exit code 3')
-    """
-    if code is not None and code < 0:
-        return f"killed by {signal.Signals(-code).name}"
-    return f"exit code {code}"

@@ -14,6 +14,7 @@ from typing import Any
 
 from vmharness.execution.garbage import collect_rarely
 from vmharness.execution.message import Done, Progress, Raised
+from vmharness.execution.session import lead
 
 Report = Callable[[float], None]
 Work = Callable[[Any, Report], Any]
@@ -27,7 +28,8 @@ def serve(connection: Connection, prepare: Callable[..., Work], arguments: tuple
 
     What is prepared (imports, above all) is so while the first task is still on its way.
     """
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches the whole process group; the parent decides
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent decides
+    lead()
     collect_rarely()
     os.environ.update(dict.fromkeys(ONE_THREAD, "1"))
     prepared = _attempt(prepare, *arguments)

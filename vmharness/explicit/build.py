@@ -7,7 +7,7 @@ added and constraints act in the order in which they were built. Each line of `b
 import numpy as np
 
 from vmharness import plugins
-from vmharness.deck import Deck, DeckError
+from vmharness.deck import Deck
 from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.deck.keywords.node import NODE
@@ -24,6 +24,7 @@ from vmharness.explicit.rigid import element_mass
 from vmharness.explicit.rigid.definitions import body_numbers
 from vmharness.explicit.timestep import limits, mass_scaling
 from vmharness.explicit.walls import planar
+from vmharness.mesh.nodes import nodes_of
 
 
 def build(deck: Deck) -> Model:
@@ -62,14 +63,9 @@ def _add_all(folder: str, deck: Deck, model: Model) -> None:
 
 
 def _nodes(deck: Deck) -> Model:
-    tables = deck.all(NODE)
-    if not tables:
-        raise DeckError("no *NODE in the deck", str(deck.path.name), 1)
-    bodies = np.array(body_numbers(deck), np.int64)
-    ids = np.concatenate([*(table.nid for table in tables), -bodies])
-    x = np.concatenate([
-        *(np.column_stack([table.x, table.y, table.z]) for table in tables), np.zeros((bodies.size, 3))
-    ])  # fmt: skip
+    nodes, bodies = nodes_of(deck), np.array(body_numbers(deck), np.int64)
+    ids = np.concatenate([nodes.ids, -bodies])
+    x = np.concatenate([nodes.x0, np.zeros((bodies.size, 3))])
     n = ids.size
     state = State(x.copy(), np.zeros((n, 3)), np.zeros((n, 3)), np.zeros(n), np.zeros(n))
     termination = deck.one(CONTROL_TERMINATION)
@@ -83,7 +79,6 @@ def _nodes(deck: Deck) -> Model:
         step_factor=timestep.tssfac if timestep else 0.9,
         dtmin=termination.dtmin,
         ncpu=ncpu(deck),
-        order=np.argsort(ids),
     )
 
 

@@ -3,8 +3,8 @@
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from vmharness.backends.builtin import read_deck
 from vmharness.case import Case
+from vmharness.case.deck import read_deck
 from vmharness.deck import Deck, Entry, write_long
 from vmharness.deck.keywords.control.contact import CONTROL_CONTACT
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP

@@ -8,10 +8,11 @@ from pathlib import Path
 
 import msgspec
 
+from vmharness.cache import root
+from vmharness.execution.folders import WorkFolders
 from vmharness.execution.message import Began, Done, Lost, Message, Progress, Raised
 from vmharness.execution.pool import Pool
 from vmharness.execution.worker import Report, Work
-from vmharness.explicit.kernels.cache import root
 from vmharness.studies.measured import Measured, measured
 from vmharness.studies.variant import Variant
 
@@ -51,7 +52,9 @@ def gather(
         with ExitStack() as stack:
             own = None if planted else workers
             at_work = own or stack.enter_context(Pool(min(jobs, len(tasks)), serving, *arguments[0]))
-            for task, message in _outcomes(at_work.each(tasks, timeout, arguments), keys):
+            folders = stack.enter_context(WorkFolders())
+            work = [(variant, folders.folder(task)) for task, variant in enumerate(tasks)]
+            for task, message in _outcomes(at_work.each(work, timeout, arguments), keys, folders):
                 for number in waiting[keys[task]]:
                     yield number, message
 
@@ -73,17 +76,22 @@ def serving(solver: str, fault: str, plant: Plant | None) -> Work:
     from vmharness.backends import backend
     from vmharness.run import run
 
-    solves = backend(solver)
+    chosen = backend(solver)
 
-    def work(variant: Variant, progress: Report) -> Measured:
-        return measured(run(variant.case, solves, progress), variant.strides)
+    def work(task: tuple[Variant, Path], progress: Report) -> Measured:
+        variant, folder = task
+        return measured(run(variant.case, chosen, progress, folder), variant.strides)
 
     return work
 
 
-def _outcomes(messages: Iterator[tuple[int, Message]], keys: Sequence[str]) -> Iterator[Step]:
-    """The messages of a pool, with what is done kept on disk."""
+def _outcomes(
+    messages: Iterator[tuple[int, Message]], keys: Sequence[str], folders: WorkFolders
+) -> Iterator[Step]:
+    """The messages of a pool, with what is done kept on disk; of the files of a run, nothing is."""
     for task, message in messages:
+        if isinstance(message, Done | Lost | Raised):
+            folders.close(task)
         match message:
             case Done(outcome):
                 keep(keys[task], outcome)

@@ -3,9 +3,9 @@
 import hashlib
 import json
 from dataclasses import dataclass
-from functools import cache
 from typing import TYPE_CHECKING
 
+from vmharness.backends import identity
 from vmharness.studies.sources import sources
 
 if TYPE_CHECKING:
@@ -26,12 +26,14 @@ class Variant:
     strides: tuple[int, ...] = ()
 
     def key(self, solver: str) -> str:
-        """A hash of all that the outcome depends on: case, data, deck, solver, sources, machine, fault."""
+        """A hash of all that the outcome depends on: solver and machine, sources, case, data, deck, fault.
+
+        Raises BackendError where the solver cannot be asked for its version.
+        """
         case = self.case
         what = [
-            solver,
+            identity(solver),
             sources(solver),
-            _machine(),
             _files(case),
             dict(case.given),
             case.deck_parameters(),
@@ -43,18 +45,10 @@ class Variant:
         return hashlib.sha256(json.dumps(what, sort_keys=True).encode()).hexdigest()
 
 
-@cache
-def _machine() -> str:
-    """Compiler and processor: the last bits of a value depend on them."""
-    from vmharness.explicit.kernels.cache import folder
-
-    return folder().name
-
-
 def _files(case: "Case") -> list[str]:
     """Hashes of the case's files, without prose and pictures, and of those elsewhere that its deck may include."""
     if not case.file.deck.include_outside:
         return [case.inputs_sha256]
-    from vmharness.backends.builtin import read_deck
+    from vmharness.case.deck import read_deck
 
     return [case.inputs_sha256, *read_deck(case).files.values()]

@@ -17,8 +17,8 @@ class Review:
     doubtful: list[str] = field(default_factory=list)
 
 
-def check(folder: Path, errors: Mapping[str, float] | None = None) -> Review:
-    """Read the case, its prose and its deck, build the model, find its channels, review tolerances and faults.
+def check(folder: Path, errors: Mapping[str, float] | None = None, solver: str = "builtin") -> Review:
+    """Read the case, its prose and its deck, let the solver review it, review tolerances and faults.
 
     `errors`: how far its results were from their targets when last run, as fractions, by key.
     """
@@ -34,30 +34,24 @@ def check(folder: Path, errors: Mapping[str, float] | None = None) -> Review:
         review.doubtful += tolerance.review_measured(case, errors or {})
         review.wrong += faults.review(case)
         review.wrong += prose.review(case)
-        review.wrong += _deck(case)
+        review.wrong += _deck(case, solver)
     except CaseError as error:
         review.wrong.append(str(error))
     return review
 
 
-def _deck(case: "Case") -> list[str]:
-    """What keeps the built-in solver from running the deck."""
-    from vmharness.backends import builtin
+def _deck(case: "Case", solver: str) -> list[str]:
+    """What keeps the solver from running the deck."""
+    from vmharness.backends import BackendError, backend
+    from vmharness.case.deck import read_deck
     from vmharness.deck import DeckError
-    from vmharness.explicit.build import build
-    from vmharness.explicit.probes import ProbeError
 
+    wrong: list[str] = []
     try:
-        model = build(builtin.read_deck(case))
-        builtin.read_deck(_with_parameters_set(case))
-    except DeckError as error:
-        return [str(error)]
-    wrong = []
-    for name, channel in case.file.channels.items():
-        try:
-            builtin.probe_of(model, channel)
-        except ProbeError as error:
-            wrong.append(f"[channels] {name}: {error}")
+        wrong += backend(solver).review(read_deck(case), case.file.channels)
+        read_deck(_with_parameters_set(case))
+    except (DeckError, BackendError) as error:
+        wrong.append(str(error))
     return wrong
 
 

@@ -2,16 +2,20 @@
 
 import time
 import traceback
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
+from vmharness.execution.folders import WorkFolders
 from vmharness.execution.message import Began, Done, Lost, Message, Raised
 from vmharness.execution.pool import Pool
-from vmharness.execution.worker import Work
+from vmharness.execution.worker import Report, Work
 from vmharness.suite.outcome import Outcome, Status
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from vmharness.case import Case
     from vmharness.result import Solution
 
@@ -19,10 +23,20 @@ VERDICTS = {"pass": Status.PASS, "fail": Status.FAIL, "error": Status.UNJUDGED}
 
 
 def solving(solver: str) -> Work:
-    """In a worker: import the solver; what it makes of a case's deck is the work."""
-    from vmharness.backends import backend
+    """In a worker: import the solver; what it makes of a case's deck, in a work folder, is the work."""
+    from vmharness.backends import BackendError, backend
+    from vmharness.solve import solve
 
-    return backend(solver).solve
+    try:
+        chosen = backend(solver)
+    except BackendError as error:
+        missing = _nothing(solver, str(error))
+        return lambda task, progress: missing
+
+    def work(task: "tuple[Case, Path | None]", progress: Report) -> "Solution":
+        return solve(task[0], chosen, progress, task[1])
+
+    return work
 
 
 def judged(
@@ -30,27 +44,32 @@ def judged(
 ) -> Iterator[tuple[int, Message | Outcome]]:
     """Yield (number of the case, Began or Progress or its Outcome), each outcome as soon as it is known."""
     began: dict[int, float] = {}
-    for number, message in pool.each(cases, timeout):
-        case = cases[number]
-        match message:
-            case Began():
-                began[number] = time.perf_counter()
-                yield number, message
-            case Done(solution):
-                yield number, judge(case, solution, began[number])
-            case Lost(reason):
-                yield number, judge(case, _nothing(solver, reason), began[number])
-            case Raised(error, trace):
-                yield number, Outcome(case.id, Status.DEFECT, error, traceback=trace)
-            case _:
-                yield number, message
+    with WorkFolders() as folders:
+        tasks = [(case, folders.folder(number)) for number, case in enumerate(cases)]
+        for number, message in pool.each(tasks, timeout):
+            case = cases[number]
+            match message:
+                case Began():
+                    began[number] = time.perf_counter()
+                    yield number, message
+                case Done(solution):
+                    yield number, judge(case, solution, began[number], partial(folders.close, number))
+                case Lost(reason):
+                    nothing = _nothing(solver, reason)
+                    yield number, judge(case, nothing, began[number], partial(folders.close, number))
+                case Raised(error, trace):
+                    reason = folders.close(number, error)
+                    yield number, Outcome(case.id, Status.DEFECT, reason, traceback=trace)
+                case _:
+                    yield number, message
 
 
-def judge(case: "Case", solution: "Solution", began: float) -> Outcome:
-    """What is to be said of a case whose solver gave `solution`."""
+def judge(case: "Case", solution: "Solution", began: float, closed: Callable[[str], str] = str) -> Outcome:
+    """What is to be said of a case whose solver gave `solution`; `closed` adds to its failure where its files are."""
     from vmharness import run
 
     try:
+        solution = replace(solution, failure=closed(solution.failure))
         judged = replace(run.judge(case, solution), seconds=time.perf_counter() - began)
     except Exception as error:  # of the harness: the solver is done
         return Outcome(

@@ -5,13 +5,13 @@ import math
 import numpy as np
 import pytest
 
-from vmharness.backends.builtin.view import view_of
 from vmharness.deck import DeckError
 from vmharness.explicit.build import build
 from vmharness.explicit.contact.contact import Contact
 from vmharness.explicit.contact.limits import limits_reached
 from vmharness.explicit.loop import steps
 from vmharness.explicit.probes import ProbeError, probe
+from vmharness.mesh.view import view_of
 
 # The wall of the fixture is 0.1 thick, and K A/d = sqrt(2); node 5 is a ball of mass 0.5.
 BALL = "*ELEMENT_MASS\n105,5,0.5\n*SET_NODE_LIST\n2\n5\n*CONTROL_CONTACT\n1.0\n\n"
@@ -196,6 +196,6 @@ def test_the_reaction_at_one_support(wall_and):
 
 def test_a_contact_of_solids_is_drawn_by_its_segments(deck):
     found = bricks(deck, "SURFACE_TO_SURFACE", "2,1,3,3")
-    ((tracked, segments),) = view_of(found, build(found)).contacts
+    ((tracked, segments),) = view_of(found).contacts
     assert tracked.size == 16
     assert segments.shape == (12, 4)

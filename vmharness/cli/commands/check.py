@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from vmharness.cli.options import FILE
+from vmharness.cli.options import FILE, solver_option
 from vmharness.cli.say import complain, say
 from vmharness.cli.selection import selected, selecting
 from vmharness.suite import last_run
@@ -17,9 +17,15 @@ REPORTS = Path("reports")
 
 @click.command("check")
 @selecting
+@solver_option()
 @click.option("--json", type=FILE, metavar="FILE", help="Write what is found as JSON, too.")
 def command(
-    selectors: tuple[str, ...], cases: Path | None, words: str, tags: tuple[str, ...], json: Path | None
+    selectors: tuple[str, ...],
+    cases: Path | None,
+    words: str,
+    tags: tuple[str, ...],
+    solver: str,
+    json: Path | None,
 ) -> int:
     """Check case files, decks and tolerances; run nothing.
 
@@ -35,7 +41,7 @@ def command(
         return NOTHING_SELECTED
     errors, reviews = last_run.errors(REPORTS), {}
     for case in found:
-        review = reviews[case.id] = check(case.folder, errors.get(case.id))
+        review = reviews[case.id] = check(case.folder, errors.get(case.id), solver)
         review.doubtful += _stale(case)
         say(f"{case.id}: {'wrong' if review.wrong else 'ok'}")
         for sentence in review.wrong:

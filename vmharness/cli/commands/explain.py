@@ -41,7 +41,7 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
     except CaseError as error:
         complain(str(error))
         return EXIT_CODES[Status.BROKEN]
-    found = replace(found, columns=_columns(case, how.solver))
+    found = replace(found, columns=_columns(case, how))
     for table in tables(found):
         say_rows(table)
     for column in found.columns:
@@ -55,12 +55,17 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
     return EXIT_CODES[Status.PASS]
 
 
-def _columns(case: "Case", solver: str) -> "list[Column]":
+def _columns(case: "Case", how: How) -> "list[Column]":
     """Published columns, if there are any: the whole history of one more run is needed to read them."""
-    from vmharness.backends import backend
+    from vmharness.execution.message import Done
+    from vmharness.execution.pool import Pool
     from vmharness.studies.explain.published import columns
+    from vmharness.suite.judge import solving
 
     if not case.published:
         return []
-    history = backend(solver).solve(case, None).history
-    return columns(case, history) if history is not None else []
+    with Pool(1, solving, how.solver) as pool:
+        (*_, (_, end)) = pool.each([(case, None)], how.timeout)
+    if isinstance(end, Done) and end.value.history is not None:
+        return columns(case, end.value.history)
+    return []

@@ -94,8 +94,8 @@ def _deck(case: "Case") -> None:
 
     import numpy as np
 
-    from vmharness.backends.builtin import read_deck
     from vmharness.case import CaseError
+    from vmharness.case.deck import read_deck
     from vmharness.deck import DeckError
 
     try:

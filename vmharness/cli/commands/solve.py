@@ -1,17 +1,18 @@
-"""`vm solve`: a deck that belongs to no case, through the built-in solver."""
+"""`vm solve`: a deck that belongs to no case."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
+from vmharness.cli.options import solver_option
 from vmharness.cli.say import complain, plain_table, say, say_table
 from vmharness.suite.outcome import EXIT_CODES, Status
 
 if TYPE_CHECKING:
+    from vmharness.backends.protocol import Output
+    from vmharness.case.format import Channel
     from vmharness.deck import Deck
-    from vmharness.explicit.model.model import Model
-    from vmharness.explicit.probes import Probe
     from vmharness.history import History
 
 STATES = 1000  # in the file, where the deck does not ask for an interval
@@ -19,64 +20,64 @@ STATES = 1000  # in the file, where the deck does not ask for an interval
 
 @click.command("solve")
 @click.argument("path", metavar="DECK", type=click.Path(path_type=Path, exists=True, dir_okay=False))
+@solver_option()
 @click.option(
     "--csv", type=click.Path(path_type=Path, dir_okay=False), help="Write energies and nodes over time."
 )
-def command(path: Path, csv: Path | None) -> int:
+def command(path: Path, solver: str, csv: Path | None) -> int:
     """Solve DECK and say what became of its energy.
 
     The file has all energies, and the motion of the nodes of *DATABASE_HISTORY_NODE, at the interval of
     *DATABASE_NODOUT or _GLSTAT, else at 1000 instants.
     """
-    from vmharness.backends.builtin import record
-    from vmharness.deck import DeckError, read, vocabulary
-    from vmharness.explicit.build import build
-    from vmharness.explicit.probes import ProbeError
+    from tempfile import TemporaryDirectory
 
+    from vmharness.backends import backend
+    from vmharness.backends.protocol import Job
+    from vmharness.deck import DeckError, read, vocabulary
+    from vmharness.execution.program import ProgramError
+
+    chosen = backend(solver)
     try:
         deck = read(path, vocabulary())
-        model = build(deck)
-        probes = _probes(deck, model)
-    except (DeckError, ProbeError) as error:
+        channels = chosen.reports(deck) | _nodes(deck)
+        with TemporaryDirectory(prefix="vmharness-") as folder:
+            output = chosen.solve(Job(deck, channels, Path(folder)))
+    except DeckError as error:
         complain(str(error))
         return EXIT_CODES[Status.BROKEN]
-    history, failure, seconds = record(model, probes)
-    _say(deck, model, history, seconds)
-    if csv:
-        _states(deck, history).to_csv(csv)
-        say(f"written: {csv}")
-    if failure:
-        complain(failure)
+    except ProgramError as error:
+        complain(str(error))
+        return EXIT_CODES[Status.UNJUDGED]
+    if output.history is not None:
+        _say(deck, output, output.history)
+        if csv:
+            _states(deck, output.history).to_csv(csv)
+            say(f"written: {csv}")
+    if output.failure:
+        complain(output.failure)
         return EXIT_CODES[Status.UNJUDGED]
     return 0
 
 
-def _probes(deck: "Deck", model: "Model") -> "dict[str, Probe]":
-    from vmharness.explicit import energy
-    from vmharness.explicit.constraint import Constraint
-    from vmharness.explicit.force import Force
-    from vmharness.explicit.probes import probe
+def _nodes(deck: "Deck") -> "dict[str, Channel]":
+    """The motion of every node whose history the deck asks for."""
+    from vmharness.case.format import Channel
 
-    items: list[Force | Constraint] = [*model.forces, *model.constraints]
-    kept = [kind for kind in (*energy.STORED, "external work") if energy.accounts(items, kind)]
-    probes = {name: probe(model, energy=name) for name in ("kinetic", *kept, "total", "ratio")}
-    for entry in deck.all("DATABASE_HISTORY_NODE"):
-        for nid in entry.ids.tolist():
-            for quantity in ("displacement", "velocity"):
-                for axis in "xyz":
-                    name = f"{axis}-{quantity}"
-                    probes[f"node {nid} {name}"] = probe(model, node=nid, component=name)
-    return probes
+    return {
+        f"node {nid} {axis}-{quantity}": Channel(text="", node=nid, component=f"{axis}-{quantity}")
+        for entry in deck.all("DATABASE_HISTORY_NODE")
+        for nid in entry.ids.tolist()
+        for quantity in ("displacement", "velocity")
+        for axis in "xyz"
+    }
 
 
-def _say(deck: "Deck", model: "Model", history: "History", seconds: float) -> None:
-    from vmharness.explicit.contact.limits import limits_reached
-
+def _say(deck: "Deck", output: "Output", history: "History") -> None:
     say(f"{deck.path.name}: {deck.title}")
-    facts = model.facts | limits_reached(model)
-    for sentence in (*deck.notes, *(f"{name}: {fact}" for name, fact in facts.items())):
+    for sentence in (*deck.notes, *(f"{name}: {fact}" for name, fact in output.facts.items())):
         say(f"  {sentence}")
-    say(f"  {model.ids.size} nodes, {model.state.cycle} cycles to t = {model.state.t:.6g} in {seconds:.2f} s")
+    say(f"  {output.cycles} cycles to t = {history.time[-1]:.6g} in {output.seconds:.2f} s")
     table = plain_table("Energy", "at the beginning", "largest", "at the end")
     for name in history.channels:
         if not name.startswith("node "):

@@ -22,13 +22,13 @@ from vmharness.deck.keywords.boundary.prescribed_motion import (
     BOUNDARY_PRESCRIBED_MOTION_NODE,
     BOUNDARY_PRESCRIBED_MOTION_SET,
 )
-from vmharness.explicit.constraints.spc import supported
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
-from vmharness.explicit.model.dof import place
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.sets import node_set
 from vmharness.explicit.model.state import Array, Index, State
+from vmharness.mesh.dof import place
+from vmharness.mesh.sets import node_set
+from vmharness.mesh.supports import supported
 
 KEYWORDS = (BOUNDARY_PRESCRIBED_MOTION_NODE, BOUNDARY_PRESCRIBED_MOTION_SET)
 

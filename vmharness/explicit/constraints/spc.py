@@ -2,14 +2,11 @@
 
 import numpy as np
 
-from vmharness.deck import Deck, Entry
-from vmharness.deck.keywords.boundary.spc import BOUNDARY_SPC_NODE, BOUNDARY_SPC_SET, DOFS
-from vmharness.deck.keywords.node import NODE
+from vmharness.deck import Deck
 from vmharness.explicit.kernels.compiled import kernel
-from vmharness.explicit.model.dof import coded
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.sets import node_set
 from vmharness.explicit.model.state import Array, Flags, Index, State
+from vmharness.mesh.supports import supported
 
 
 def build(deck: Deck, model: Model) -> None:
@@ -19,29 +16,6 @@ def build(deck: Deck, model: Model) -> None:
         model.state.v[fixed[:, :3]] = 0.0  # a support overrules an initial velocity
         model.state.omega[fixed[:, 3:]] = 0.0
         model.constraints.append(Supports(fixed))
-
-
-def supported(deck: Deck, model: Model) -> Flags:
-    """Degrees of freedom (n, 6) that a support of the deck fixes."""
-    fixed = np.zeros((model.state.mass.size, 6), bool)
-    for entry in deck.all(BOUNDARY_SPC_NODE):
-        fixed[model.row(entry, "nid", entry.nid)] |= _flags(entry)
-    for entry in deck.all(BOUNDARY_SPC_SET):
-        fixed[node_set(deck, model, entry, "nsid")] |= _flags(entry)
-    for entry in deck.all(NODE):
-        _codes(entry, model, fixed)
-    return fixed
-
-
-def _flags(entry: Entry) -> Flags:
-    return np.array([getattr(entry, dof) == 1 for dof in DOFS])
-
-
-def _codes(entry: Entry, model: Model, fixed: Flags) -> None:
-    for offset, codes in ((0, entry.tc), (3, entry.rc)):
-        for i in np.flatnonzero(codes):
-            row = model.row(entry, "nid", entry.nid[i])
-            fixed[row, [offset + axis for axis in coded(codes[i])]] = True
 
 
 class Supports:

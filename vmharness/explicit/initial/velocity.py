@@ -17,8 +17,8 @@ from vmharness.deck.keywords.initial.velocity import INITIAL_VELOCITY, INITIAL_V
 from vmharness.deck.keywords.initial.velocity_generation import INITIAL_VELOCITY_GENERATION
 from vmharness.deck.keywords.part import PART
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.sets import node_set, nodes_of_parts, part_set
 from vmharness.explicit.model.state import Array, Index
+from vmharness.mesh.sets import node_set, nodes_of_parts, part_set
 
 PART_SET, NODE_SET = 1, 3  # STYP
 

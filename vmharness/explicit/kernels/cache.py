@@ -17,18 +17,12 @@ from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 
+from vmharness.cache import root
+
 FOLDERS = 4  # folders of other compilers and processors that stay
 FILES = 8000  # kernels that stay, about 350 MB
 DAY = 86400.0  # s
 HEAD = 4  # bytes of the checksum at the start of a file
-
-
-def root() -> Path:
-    """The folder that holds the caches of all versions: $VMHARNESS_CACHE, or the user's cache folder."""
-    if chosen := os.environ.get("VMHARNESS_CACHE"):
-        return Path(chosen)
-    home = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA") or str(Path.home() / ".cache")
-    return Path(home) / "vmharness"
 
 
 def folder() -> Path:

@@ -13,11 +13,11 @@ from vmharness.deck.keywords.load.node import LOAD_NODE_POINT, LOAD_NODE_SET
 from vmharness.deck.keywords.load.rigid_body import LOAD_RIGID_BODY
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
-from vmharness.explicit.model.dof import place
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.sets import node_set
 from vmharness.explicit.model.state import Array, Index, State
 from vmharness.explicit.rigid.definitions import lead_number
+from vmharness.mesh.dof import place
+from vmharness.mesh.sets import node_set
 
 NAME = "nodal load"
 

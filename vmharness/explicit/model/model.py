@@ -1,31 +1,30 @@
 """A deck as arrays over nodes, forces and constraints: what the time loop steps."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
-from vmharness.deck import Entry
 from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.energy import KineticEnergy
 from vmharness.explicit.force import Elements, Force
 from vmharness.explicit.model.state import Array, Index, State
+from vmharness.mesh.nodes import Nodes
 
 
 @dataclass
-class Model:
-    """Nodes with mass, what pushes on them, and what rules their motion; consistent units."""
+class Model(Nodes):
+    """Nodes with mass, what pushes on them, and what rules their motion; consistent units.
 
-    ids: NDArray[np.int64]  # (n,) node numbers of the deck, by row of the state's arrays; see `centre`
-    x0: Array  # (n, 3) initial coordinates
+    `ids` are node numbers of the deck, by row of the state's arrays, then those of centres: see `centre`.
+    """
+
     state: State
     end_time: float
     end_cycle: int
     step_factor: float  # TSSFAC
-    order: Index  # (n,) rows in the order of their numbers
     ncpu: int = 1  # threads that compute the elements
     dtmin: float = 0.0  # the run ends with an error below this fraction of its first step
     caps: list[Callable[[float], float]] = field(default_factory=list)  # t -> the longest step allowed
@@ -38,40 +37,9 @@ class Model:
     def __post_init__(self) -> None:
         self.kinetic = KineticEnergy(self.state)
 
-    def find(self, entry: Entry, name: str, ids: NDArray[np.int64], ground: bool = False) -> Index:
-        """Rows (m,) of the nodes `ids`, a column of `entry`; raises DeckError at the first that is no node.
-
-        With `ground`, the number 0 is no node but the ground: row -1.
-        """
-        rows = np.where(ground & (ids == 0), -1, self._nearest(ids))
-        for index in np.flatnonzero(((self.ids[rows] != ids) | (ids < 0)) & (rows >= 0)):
-            raise entry.error(name, f"no *NODE {ids[index]}", int(index))
-        return rows
-
     def centre(self, number: int) -> int:
         """The row of the centre of a rigid body: after those of the nodes, numbered by the body's number negated."""
         return int(self._nearest(-number))
-
-    @property
-    def node_count(self) -> int:
-        """How many rows are nodes of the deck."""
-        return int(np.count_nonzero(self.ids > 0))
-
-    def corners(self, table: Entry, names: Sequence[str], ground: bool = False) -> Index:
-        """Rows (m, corners) of the nodes that the columns `names` of a table give; see `find`."""
-        return np.column_stack([self.find(table, name, getattr(table, name), ground) for name in names])
-
-    def row(self, entry: Entry, name: str, nid: int, index: int | None = None) -> int:
-        """The row of node `nid`; raises DeckError naming the card and field that refer to it."""
-        row = int(self._nearest(nid))
-        if self.ids[row] != nid or nid < 0:
-            raise entry.error(name, f"no *NODE {nid}", index)
-        return row
-
-    def _nearest(self, ids: NDArray[np.int64] | int) -> Index:
-        """Rows of `ids` where they are nodes, else of some other node."""
-        place = np.searchsorted(self.ids, ids, sorter=self.order)
-        return np.asarray(self.order[np.minimum(place, self.ids.size - 1)])
 
     def add_mass(self, rows: Index, mass: Array, inertia: Array | float = 0.0) -> None:
         """Lump `mass` (m,) and `inertia` onto nodes; a row may come several times."""

@@ -12,7 +12,6 @@ from vmharness.deck.keywords.constrained.extra_nodes import (
 from vmharness.deck.keywords.constrained.rigid_bodies import CONSTRAINED_RIGID_BODIES
 from vmharness.deck.keywords.part import PART, has_inertia
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.sets import node_set, nodes_of_parts
 from vmharness.explicit.model.state import Flags, Index
 from vmharness.explicit.rigid.definitions import (
     body_number,
@@ -24,6 +23,7 @@ from vmharness.explicit.rigid.definitions import (
     lead_number,
 )
 from vmharness.explicit.rigid.inertia import Inertia, inertia_of_card, inertia_of_points, lever_arms
+from vmharness.mesh.sets import node_set, nodes_of_parts
 
 ROUND_OFF = 1e-3  # of the farthest node: a node this near the axis of a tensor, given in the digits of a card, is on it
 

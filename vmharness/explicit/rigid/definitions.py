@@ -13,8 +13,8 @@ from vmharness.deck.keywords.constrained.nodal_rigid_body import (
 from vmharness.deck.keywords.constrained.rigid_bodies import CONSTRAINED_RIGID_BODIES
 from vmharness.deck.keywords.mat.rigid import MAT_RIGID
 from vmharness.deck.keywords.part import PART, has_inertia
-from vmharness.explicit.model.dof import coded
 from vmharness.explicit.model.state import Flags
+from vmharness.mesh.dof import coded
 
 
 def definitions(deck: Deck) -> list[Entry]:

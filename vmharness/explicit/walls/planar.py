@@ -12,13 +12,13 @@ from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.control.contact import CONTROL_CONTACT
 from vmharness.deck.keywords.rigidwall import KEYWORDS
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
-from vmharness.explicit.constraints.spc import supported
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.sets import node_set
 from vmharness.explicit.model.state import Array, Flags, Index
 from vmharness.explicit.rigid.body import find_bodies
 from vmharness.explicit.walls.face import NORMAL, covers, face_of
 from vmharness.explicit.walls.wall import PlanarWall
+from vmharness.mesh.sets import node_set
+from vmharness.mesh.supports import supported
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -5,12 +5,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from vmharness.mesh.view import View
 from vmharness.report.figures import svg
 from vmharness.report.figures.characters import unit
 from vmharness.report.figures.faces import far_first, outer
 from vmharness.report.figures.key import Entry, key
 from vmharness.report.figures.note import MIDDLE, note
-from vmharness.result import View
 from vmharness.round_off import ROUND_OFF, smallest
 
 if TYPE_CHECKING:

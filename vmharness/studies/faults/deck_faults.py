@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from vmharness.backends.builtin import read_deck
 from vmharness.case import Case, CaseError
+from vmharness.case.deck import read_deck
 from vmharness.deck import Deck, DeckError, Entry
 from vmharness.studies.changed_deck import with_entries
 from vmharness.studies.faults.declared import RUN_LENGTH

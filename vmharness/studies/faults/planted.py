@@ -396,7 +396,7 @@ FAULTS = (
         name="time_stamp_late",
         text="Every time is stamped one step late",
         kind="reading",
-        module="vmharness.backends.builtin",
+        module="vmharness.backends.builtin.cycles",
         sound="times.append(state.t)",
         faulty="times.append(state.t + state.dt)",
     ),

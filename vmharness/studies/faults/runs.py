@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from vmharness.backends.builtin import read_deck
 from vmharness.case import Case
+from vmharness.case.deck import read_deck
 from vmharness.studies.faults import plant
 from vmharness.studies.faults.deck_faults import (
     OTHER_SIGN,

@@ -14,12 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.deck import Deck
-from vmharness.explicit.contact.surface.faces import area_vectors, faces_of_solids, outside
 from vmharness.explicit.elements.shell import shell_parts, thickness
 from vmharness.explicit.elements.solid import ELFORMS, solid_parts, volume
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Index, Part
 from vmharness.explicit.model.state import Array
+from vmharness.mesh.faces import area_vectors, faces_of_solids, outside
 
 
 @dataclass(frozen=True)

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from vmharness.explicit.contact.surface.faces import area_vectors
 from vmharness.explicit.model.parts import Index
 from vmharness.explicit.model.state import Array
+from vmharness.mesh.faces import area_vectors
 
 ROUND_OFF = 1e-9  # of the segments' size: nodes that lie in the surface are not behind it
 

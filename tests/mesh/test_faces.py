@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from vmharness.explicit.contact.surface.faces import area_vectors, faces_of_solids, outside
 from vmharness.explicit.contact.surface.orient import faces_away, turned
+from vmharness.mesh.faces import area_vectors, faces_of_solids, outside
 
 CUBE = np.array(
     [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], float

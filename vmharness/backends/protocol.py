@@ -1,0 +1,77 @@
+"""What a solver is to the harness: a module with a name, a place, a review of decks, and a way to run one.
+
+    NAME                        as reports write it, before the version
+    found()                     version and place, or why it cannot run here; quick, and starts no computation
+    review(deck, channels)      what it cannot represent, in sentences: before a run, and without one
+    reports(deck)               the energies that it can record of a deck, as channels by name
+    solve(job)                  the run: it writes in job.folder alone, and what goes wrong is its `failure`
+
+`channels` are those of a case: node, element, contact, energy, ... and the component of each. A program of another
+package is started by `vmharness.execution.program.run`, so that it ends when the run does.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Protocol
+
+from vmharness.case.format import Channel
+from vmharness.deck import Deck
+from vmharness.history import History
+
+
+@dataclass(frozen=True)
+class Found:
+    """A solver on this machine."""
+
+    version: str = ""  # as the solver gives it
+    where: str = ""  # its program, or the folder of its package
+    missing: str = ""  # why it cannot run here, and how to install it; empty if it can
+    machine: str = ""  # compiler and processor, where the last digits depend on them
+    notice: str = ""  # what a user should know before a first run
+
+
+@dataclass(frozen=True)
+class Job:
+    """What a solver is to run."""
+
+    deck: Deck  # resolved: parameters are numbers, includes stand in their place
+    channels: Mapping[str, Channel]  # to record
+    folder: Path  # for its files; fresh, and empty
+    progress: Callable[[float], None] | None = None  # to be told how far it is, from 0 to 1
+
+
+@dataclass(frozen=True)
+class Output:
+    """What a solver makes of a job."""
+
+    history: History | None  # every channel, at the instants at which the solver writes
+    failure: str = ""  # why the run ended before its end, or did not begin
+    facts: Mapping[str, str] = field(
+        default_factory=dict
+    )  # for the reader: time step, precision, interval, ...
+    cycles: int = 0
+    seconds: float = 0.0  # that the time loop took, where that is known
+
+
+class Backend(Protocol):
+    """A module that is a solver."""
+
+    NAME: str
+
+    def found(self) -> Found:
+        """Version and place on this machine, or why it cannot run here."""
+
+    def review(self, deck: Deck, channels: Mapping[str, Channel]) -> list[str]:
+        """What it cannot represent of the deck, and which channels it cannot give; nothing if it can run it."""
+
+    def reports(self, deck: Deck) -> dict[str, Channel]:
+        """The energies of the whole model that it can record, by name; raises DeckError as `solve` does."""
+
+    def solve(self, job: Job) -> Output:
+        """Run the job; raises DeckError for what it cannot represent, ProgramError where its program fails."""
+
+
+def full_name(backend: Backend, found: Found) -> str:
+    """Name and version, as reports write them."""
+    return f"{backend.NAME} {found.version}".strip()

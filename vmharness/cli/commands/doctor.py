@@ -1,0 +1,28 @@
+"""`vm doctor`: what is found on this machine."""
+
+import click
+
+from vmharness.cli.say import plain_table, say_table
+
+
+@click.command("doctor")
+def command() -> int:
+    """Show the solvers: version and place, or why not.
+
+    They are those of this package, and what other installed packages offer by the entry point group vmharness.solvers.
+    """
+    from vmharness.backends import BackendError, backend, names
+    from vmharness.backends.protocol import full_name
+
+    table = plain_table("Solver", "Version", "Found")
+    for name in names():
+        try:
+            solver = backend(name)
+            found = solver.found()
+        except BackendError as error:
+            table.add_row(name, "", str(error))
+        else:
+            where = f"no: {found.missing}" if found.missing else found.where
+            table.add_row(name, full_name(solver, found), where)
+    say_table(table)
+    return 0

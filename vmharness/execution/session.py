@@ -1,0 +1,46 @@
+"""A worker and all that it starts as one session, so that nothing of it outlives the worker or the harness."""
+
+import contextlib
+import os
+import signal
+from collections.abc import Iterator
+from multiprocessing import parent_process
+from multiprocessing.connection import wait
+from pathlib import Path
+from threading import Thread
+
+PROC = Path("/proc")
+SESSION = 3  # field of /proc/PID/stat, counted from after the name
+
+
+def lead() -> None:
+    """Make this process the leader of a session of its own, which ends when its parent does, however that ends."""
+    if hasattr(os, "setsid"):
+        os.setsid()
+    if (parent := parent_process()) is not None:
+        Thread(target=_end_with, args=(parent.sentinel,), daemon=True).start()
+
+
+def end(leader: int) -> None:
+    """Kill every process of a session: the group of its leader, and the groups that others in it have made."""
+    for process in _members(leader):  # mpirun, for one, gives each of its processes a group
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.kill(process, signal.SIGKILL)
+    if hasattr(os, "killpg"):
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.killpg(leader, signal.SIGKILL)
+
+
+def _end_with(parent: int) -> None:
+    """Wait until the parent is gone, be it by SIGKILL, then end this session."""
+    wait([parent])
+    end(os.getpid())
+
+
+def _members(leader: int) -> Iterator[int]:
+    """The processes of a session but its leader; none where there is no /proc, and its group must do."""
+    for stat in PROC.glob("[0-9]*/stat"):
+        with contextlib.suppress(OSError):
+            after_name = stat.read_text(errors="replace").rpartition(")")[2].split()
+            if int(after_name[SESSION]) == leader and int(stat.parent.name) != leader:
+                yield int(stat.parent.name)

@@ -1,0 +1,61 @@
+"""One case through one solver: its deck read, run in a work folder, and what came of it."""
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+from subprocess import SubprocessError
+from tempfile import TemporaryDirectory
+
+from vmharness.backends.protocol import Backend, Job, full_name
+from vmharness.case import Case, CaseError
+from vmharness.case.deck import read_deck
+from vmharness.deck import Deck, DeckError, write_long
+from vmharness.mesh.view import View, view_of
+from vmharness.result import Solution
+
+Progress = Callable[[float], None]
+
+
+def solve(
+    case: Case, backend: Backend, progress: Progress | None = None, folder: Path | None = None
+) -> Solution:
+    """Give the deck to the solver; what goes wrong is said in the solution's `failure`.
+
+    The solver works in `folder`, which is empty; without one in a temporary folder that is removed.
+    """
+    if folder is None:
+        with TemporaryDirectory(prefix="vmharness-") as temporary:
+            return solve(case, backend, progress, Path(temporary))
+    began = time.perf_counter()
+    found = backend.found()
+    solver = full_name(backend, found)
+    if found.missing:
+        return Solution(solver, None, f"{backend.NAME} cannot run here: {found.missing}")
+    try:
+        deck = read_deck(case)
+        output = backend.solve(Job(deck, case.file.channels, folder, progress))
+    except (CaseError, DeckError, SubprocessError) as error:
+        return Solution(solver, None, str(error))
+    if output.history is None:
+        return Solution(solver, None, output.failure or "the solver gave no history")
+    return Solution(
+        solver=solver,
+        history=output.history,
+        failure=output.failure,
+        facts=output.facts,
+        cycles=output.cycles,
+        seconds=time.perf_counter() - began,
+        seconds_loop=output.seconds,
+        notes=tuple(deck.notes),
+        files=deck.files,
+        view=_view(deck),
+        resolved_deck=write_long(deck) if case.deck_parameters() else case.deck_source(),
+    )
+
+
+def _view(deck: Deck) -> View | None:
+    """The model to be drawn; none of a deck that names what is not there, which this solver did not mind."""
+    try:
+        return view_of(deck)
+    except DeckError:
+        return None
