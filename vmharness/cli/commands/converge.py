@@ -43,7 +43,7 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
         return EXIT_CODES[Status.UNJUDGED]
     wrong = [result.key for result in found.results if result.agrees is False]
     for key in wrong:
-        say(f"{key}: not of the order that theory promises")
+        say(f"{key}: the order is lower than theory expects")
     return EXIT_CODES[Status.FAIL if wrong else Status.PASS]
 
 
