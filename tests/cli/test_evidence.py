@@ -21,9 +21,9 @@ def coarse(ball):
 @pytest.fixture
 def few(monkeypatch):
     """Only a few of the faults are planted."""
-    real = faults.planted
+    real = faults.all_faults
     monkeypatch.setattr(
-        faults, "planted", lambda case, sound: [one for one in real(case, sound) if one.name in FEW]
+        faults, "all_faults", lambda case, sound: [one for one in real(case, sound) if one.name in FEW]
     )
 
 
@@ -47,7 +47,7 @@ def test_faults_are_scored_and_kept_for_the_page(ball, vm, here, few, monkeypatc
     page = (here / "reports" / "VM-061" / "README.md").read_text()
     assert "## Planted faults" in page
     assert "| G |" in page
-    assert "| The first velocity is taken a whole step, not half a step, from the start |" in page
+    assert "| The first velocity is that of a whole step after the start, not of half a step |" in page
 
 
 def test_a_case_that_fails_has_no_score(ball, vm, few):

@@ -34,8 +34,10 @@ class Case:
     dimensions: Mapping[str, Dimension]  # of data and theory
     theory: Mapping[str, float]
     changed: frozenset[str] = frozenset()  # data that are not those of the file
-    planted: dict[str, float] = field(default_factory=dict)  # parameters of a deck wrong on purpose
-    planted_mesh: dict[str, float] = field(default_factory=dict)  # what its template is made of, likewise
+    overrides: dict[str, float] = field(default_factory=dict)  # parameters of the deck in place of the case's
+    mesh_overrides: dict[str, float] = field(
+        default_factory=dict
+    )  # mesh parameters of its template, likewise
     deck_text: str = ""  # a deck to run in place of the folder's, all its numbers in it
 
     @property
@@ -130,17 +132,19 @@ class Case:
         if self.deck_text:
             return {}
         if not self.changed:
-            return dict(self.planted)
-        return {name: self.evaluate(f"parameter {name}") for name in self.file.deck.parameters} | self.planted
+            return dict(self.overrides)
+        return {
+            name: self.evaluate(f"parameter {name}") for name in self.file.deck.parameters
+        } | self.overrides
 
     def mesh_parameters(self) -> dict[str, float]:
         """What the template of the deck is made of; nothing without a template."""
-        return {name: self.evaluate(f"mesh {name}") for name in self.file.deck.mesh} | self.planted_mesh
+        return {name: self.evaluate(f"mesh {name}") for name in self.file.deck.mesh} | self.mesh_overrides
 
     def with_deck_of(self, changes: Mapping[str, float]) -> "Case":
         """The same case, its theory untouched, with the deck that other data would have: wrong on purpose."""
         other = self.with_given(changes)
-        return replace(self, planted=other.deck_parameters(), planted_mesh=other.mesh_parameters())
+        return replace(self, overrides=other.deck_parameters(), mesh_overrides=other.mesh_parameters())
 
     def with_deck(self, text: str) -> "Case":
         """The same case with the deck `text` in place of its own, which is run as it is."""

@@ -54,14 +54,14 @@ def command(
 def _detections(cases: "list[Case]", how: How) -> "tuple[list[FaultsRecord], int]":
     """What became of all faults in each case, and how many cases do not even pass without one."""
     from vmharness.studies.faults.plant import plant
-    from vmharness.studies.faults.runs import StudyError, planted, record
+    from vmharness.studies.faults.runs import StudyError, all_faults, record
     from vmharness.studies.variant import Variant
 
     sound = gathered([Variant(case) for case in cases], how, "sound runs")
     plans = []
     for case, outcome in zip(cases, sound, strict=True):
         try:
-            plans.append((case, outcome, planted(case, outcome)))
+            plans.append((case, outcome, all_faults(case, outcome)))
         except StudyError as error:
             complain(str(error))
     variants = [fault.variant for *_, faults in plans for fault in faults]

@@ -134,7 +134,7 @@ def _has_penalty(case: Case) -> bool:
     for name in case.file.deck.parameters:
         if data & case.origins(f"parameter {name}"):
             other = {**case.deck_parameters(), name: 1.01 * case.evaluate(f"parameter {name}")}
-            if contact_scales(replace(case, planted=other)) != scales:
+            if contact_scales(replace(case, overrides=other)) != scales:
                 return False
     return True
 
@@ -148,4 +148,4 @@ def _with_exact_numbers(case: Case) -> Case:
     """The case with all digits of every parameter of its deck that follows from the data."""
     names = [name for name, formula in case.file.deck.parameters.items() if formula != RUN_LENGTH]
     exact = {name: case.evaluate(f"parameter {name}") for name in names}
-    return replace(case, planted={**exact, **case.deck_parameters()})
+    return replace(case, overrides={**exact, **case.deck_parameters()})

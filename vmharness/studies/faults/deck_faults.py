@@ -23,7 +23,7 @@ MODEL = "Model"  # group of the data of the model, which are not data of the pro
 
 
 @dataclass(frozen=True)
-class Planted:
+class CaseFault:
     """A fault to plant, and the variant of the case that has it."""
 
     name: str
@@ -32,13 +32,13 @@ class Planted:
     variant: Variant
 
 
-def parameter_faults(case: Case, cycles: int) -> list[Planted]:
+def parameter_faults(case: Case, cycles: int) -> list[CaseFault]:
     """Faults of each parameter of the deck, one at a time; a run with a wrong unit ends after `cycles` cycles.
 
     The mesh parameters of a template that describe the model alone are skipped: they count nodes and elements.
     """
     deck = case.file.deck
-    found: list[Planted] = []
+    found: list[CaseFault] = []
     for name, formula in deck.parameters.items():
         if formula != RUN_LENGTH:
             found += _wrong(name, case.evaluate(f"parameter {name}"), _parameter(case, name), cycles)
@@ -48,7 +48,7 @@ def parameter_faults(case: Case, cycles: int) -> list[Planted]:
     return found
 
 
-def support_faults(case: Case) -> list[Planted]:
+def support_faults(case: Case) -> list[CaseFault]:
     """Two faults: the last support is missing, and all supports are missing."""
     if not _supports(read_deck(case)):
         return []
@@ -62,11 +62,11 @@ def is_of_model(case: Case, formula: str) -> bool:
     return all(case.file.given[datum].group == MODEL for datum in case.origins(formula))
 
 
-def _fault(name: str, case: Case) -> Planted:
-    return Planted(name, f"Deck: {name}", "deck", Variant(case, name))
+def _fault(name: str, case: Case) -> CaseFault:
+    return CaseFault(name, f"Deck: {name}", "deck", Variant(case, name))
 
 
-def _wrong(name: str, value: float, make: Callable[[float], Case], cycles: int) -> Iterator[Planted]:
+def _wrong(name: str, value: float, make: Callable[[float], Case], cycles: int) -> Iterator[CaseFault]:
     """The faults of a number that is not zero, as far as the template can make a deck of them."""
     if value == 0.0:
         return
@@ -79,11 +79,11 @@ def _wrong(name: str, value: float, make: Callable[[float], Case], cycles: int) 
 
 
 def _parameter(case: Case, name: str) -> Callable[[float], Case]:
-    return lambda value: replace(case, planted={**case.deck_parameters(), name: value})
+    return lambda value: replace(case, overrides={**case.deck_parameters(), name: value})
 
 
 def _mesh(case: Case, name: str) -> Callable[[float], Case]:
-    return lambda value: replace(case, planted_mesh={**case.planted_mesh, name: value})
+    return lambda value: replace(case, mesh_overrides={**case.mesh_overrides, name: value})
 
 
 def _ended(case: Case, cycles: int) -> Case:

@@ -30,7 +30,7 @@ def in_deck(case: Case, datum: str) -> bool:
     return any(datum in case.origins(name) for name in follow)
 
 
-def planted(case: Case, fault: Fault) -> Case:
+def with_fault(case: Case, fault: Fault) -> Case:
     """The case with `fault` in its deck; the theory and the targets do not change."""
     return case.with_deck_of(_data(case, fault))
 

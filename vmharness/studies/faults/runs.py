@@ -10,7 +10,7 @@ from vmharness.case import Case
 from vmharness.studies.faults import plant
 from vmharness.studies.faults.deck_faults import (
     OTHER_SIGN,
-    Planted,
+    CaseFault,
     is_of_model,
     parameter_faults,
     support_faults,
@@ -27,7 +27,7 @@ class StudyError(Exception):
     """The study of a case cannot be made."""
 
 
-def planted(case: Case, sound: Measured) -> list[Planted]:
+def all_faults(case: Case, sound: Measured) -> list[CaseFault]:
     """Every fault to plant in a case; raises StudyError unless its `sound` run passes."""
     if not sound.passed:
         key = sound.worst[0] if sound.worst else "nothing"
@@ -35,18 +35,18 @@ def planted(case: Case, sound: Measured) -> list[Planted]:
     return [*parameter_faults(case, LONGEST * sound.cycles), *support_faults(case), *solver_faults(case)]
 
 
-def solver_faults(case: Case) -> list[Planted]:
+def solver_faults(case: Case) -> list[CaseFault]:
     """The faults of the solver that can change a run of this deck, as its keywords show."""
     names = {entry.keyword.name for entry in read_deck(case).entries}
     return [
-        Planted(fault.name, fault.text, fault.kind, Variant(case, fault.name, fault.digest))
+        CaseFault(fault.name, fault.text, fault.kind, Variant(case, fault.name, fault.digest))
         for fault in plant.faults()
         if not fault.keywords or any(name.startswith(fault.keywords) for name in names)
     ]
 
 
 def record(
-    case: Case, sound: Measured, faults: Sequence[Planted], outcomes: Sequence[Measured]
+    case: Case, sound: Measured, faults: Sequence[CaseFault], outcomes: Sequence[Measured]
 ) -> FaultsRecord:
     """The record of all faults of a case; faults that its deck cannot show are not run, and count as unseen."""
     found = [finding(fault, sound, outcome) for fault, outcome in zip(faults, outcomes, strict=True)]
@@ -70,7 +70,7 @@ def _is_idle(case: Case, name: str, found: Sequence[Finding]) -> bool:
     return is_of_model(case, f"parameter {name}") and all(passed)
 
 
-def finding(fault: Planted, sound: Measured, outcome: Measured) -> Finding:
+def finding(fault: CaseFault, sound: Measured, outcome: Measured) -> Finding:
     """Whether a fault is caught, missed, or without any effect; raises StudyError if it could not be planted."""
     if outcome.failure.startswith("defect: "):
         raise StudyError(f"{fault.name}: {outcome.failure}")
