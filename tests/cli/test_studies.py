@@ -121,5 +121,5 @@ def test_what_is_done_when_interrupted_is_taken_up_again(ball, vm_process):
     os.killpg(process.pid, signal.SIGINT)
     out, err = process.communicate()
     assert process.returncode == 2, out + err
-    assert "2 of 3 runs are done and kept; the same command goes on from there" in err
+    assert "2 of 3 runs are done and kept; repeat the command to continue" in err
     assert not endless.exists()
