@@ -17,7 +17,9 @@ from vmharness.history import History
 from vmharness.run import run
 
 CASE = read(Path(__file__).parents[1] / "cases" / "VM-061")
-COARSE = replace(CASE, planted={"RHO": 2.5437})  # dt = 1e-4 s; nothing else, since the wall's nodes are fixed
+COARSE = replace(
+    CASE, overrides={"RHO": 2.5437}
+)  # dt = 1e-4 s; nothing else, since the wall's nodes are fixed
 
 
 @pytest.fixture(scope="module")
@@ -172,7 +174,7 @@ def test_faults_of_integration_and_reading_are_caught(monkeypatch, fault, key, p
 
 
 def test_an_event_that_does_not_happen_fails_its_results():
-    early = run(replace(CASE, planted={"TEND": 0.08, "RHO": 2.5437}), builtin)
+    early = run(replace(CASE, overrides={"TEND": 0.08, "RHO": 2.5437}), builtin)
     assert early.verdict is Verdict.FAIL
     for row in early.rows:
         expected = Verdict.FAIL if row.event == "At Maximum Displacement" else Verdict.PASS
@@ -181,7 +183,7 @@ def test_an_event_that_does_not_happen_fails_its_results():
 
 
 def test_a_second_impact_is_more_than_declared():
-    twice = run(replace(CASE, planted={"TEND": 0.32, "RHO": 2.5437}), builtin)
+    twice = run(replace(CASE, overrides={"TEND": 0.32, "RHO": 2.5437}), builtin)
     assert "happened 2 times, at 0.07198" in twice.reason
     assert all(row.verdict is Verdict.FAIL for row in twice.rows)
 
@@ -204,7 +206,7 @@ def test_a_solver_that_breaks_down_cannot_be_judged_and_keeps_what_it_has(monkey
 
 
 def test_a_deck_that_cannot_be_read_is_said_and_not_judged():
-    wrong = run(replace(CASE, planted={"RHO": -1.0}), builtin)
+    wrong = run(replace(CASE, overrides={"RHO": -1.0}), builtin)
     assert wrong.verdict is Verdict.ERROR
     assert "deck.k" in wrong.reason
     assert "*MAT_ELASTIC: RO = &RHO (-1.0): must be greater than 0" in wrong.reason

@@ -1,7 +1,7 @@
-"""Where a published difference comes from: our history, read as the published column seems to have been.
+"""Reading of a history from states at an interval, as a published column may have been read.
 
-A code that writes states at a nominal interval writes each at the last cycle not after the nominal time, and a reader
-who takes the first state with contact, or the lowest state, without interpolation, reports the interval, not the code.
+A code that writes states at a nominal interval writes each at the last cycle up to the nominal time. A reader who takes
+the first state with contact, or the lowest state, without interpolation, measures the interval and not the code.
 """
 
 from decimal import Decimal
@@ -17,12 +17,12 @@ from vmharness.measure import value_at
 from vmharness.result import Reading
 from vmharness.round_off import ROUND_OFF
 
-LAST = "each the last cycle not after its time"
-FIRST = "the first that shows the event"
+LAST = "each is the last cycle up to its nominal time"
+FIRST = "the event is read at the first state that shows it"
 
 
 def readings(case: Case, history: History) -> dict[str, tuple[Reading, ...]]:
-    """For each published column that declares an interval: its values beside our history read that way."""
+    """For each published column that declares an interval: its values, and those of our history read in that way."""
     return {
         column.name: _column(case, history, column, column.interval)
         for column in case.published
@@ -31,9 +31,9 @@ def readings(case: Case, history: History) -> dict[str, tuple[Reading, ...]]:
 
 
 def states(history: History, interval: float) -> NDArray[np.intp]:
-    """Indices of the samples that are states: for each nominal time 0, T, 2T, ... the last sample not after it."""
+    """Indices of the samples that are states: the last sample up to each nominal time 0, T, 2T, ..."""
     nominal = np.arange(0.0, history.time[-1] * (1.0 + 1e-12), interval)
-    # A cycle that falls on the nominal time up to round-off of the accumulated time counts as not after it.
+    # The time is accumulated: a cycle after the nominal time by round-off alone still counts.
     found = np.searchsorted(history.time, nominal + 1e-9 * interval, side="right") - 1
     return np.unique(found[found >= 0])
 
@@ -71,19 +71,19 @@ def _column(case: Case, history: History, column: Published, interval: float) ->
 
 
 def last_cycles(interval: float, unit: str) -> str:
-    """In words, how `readings` reads."""
+    """The way in which `readings` reads, in words."""
     return said(interval, unit, LAST, FIRST)
 
 
 def said(interval: float, unit: str, written: str, taken: str) -> str:
-    """A reading in words: of states an interval apart, how each is written, and which is taken for an event."""
+    """A reading in words: the interval of the states, the time of each, and the state taken for an event."""
     return f"states {interval:g} {unit} apart, {written}; {taken}"
 
 
 def read_off(case: Case, sampled: History, key: str, before: int = 0) -> tuple[float, float] | None:
-    """Time of the state that a reader without interpolation takes for a result, and its value in the result's unit.
+    """Time and value of the state that a reader without interpolation takes for a result, in the result's unit.
 
-    An onset is taken `before` states early; None where no state shows the event.
+    An onset is taken `before` states early; None if no state shows the event.
     """
     result = case.result(key)
     event = case.file.events[result.event]
@@ -108,7 +108,7 @@ def state_of(event: Event, sampled: History) -> int | None:
         return _lowest(sampled[event.minimum_of])
     if event.maximum_of:
         return _lowest(-sampled[event.maximum_of])
-    return None  # nobody reads a level crossing off states
+    return None  # a level crossing is not read from states
 
 
 def _lowest(values: NDArray[np.float64]) -> int:

@@ -26,7 +26,7 @@ def changed(tmp_path):
     ("old", "new", "message"),
     [
         ("[45, 90, 180, 360, 720]", "[45, 90]", r"\[converge\] levels: .*length >= 3"),
-        ("[45, 90, 180, 360, 720]", "[90, 45, 180]", r"\[converge\] levels: must rise"),
+        ("[45, 90, 180, 360, 720]", "[90, 45, 180]", r"\[converge\] levels: must increase"),
         ('"t_impact/(N + 0.2)"', '"t_impact/(M + 0.2)"', r"\[converge\] size: M is not defined here"),
         ("set     = { rho = ", "set     = { roh = ", r"\[converge\] set: roh: no given datum roh; did you mean rho\?"),
         ("set     = { rho = ", "set     = { dt = ", r"\[converge\] set: dt: unit s does not fit"),
@@ -34,8 +34,8 @@ def changed(tmp_path):
         ("ranges = { m = [0.125, 2.0]", "ranges = { m = [2.0, 0.125]", r"\[sweep\] ranges: m: the first value must be below"),
         ("ranges = { m = ", "ranges = { dt = [1e-5, 1e-4], m = ", r"\[sweep\] ranges: dt cannot be set: nothing in the deck"),
         ('formula = "v0*omega/g"', 'formula = "v0*omega"', r"\[sweep\] within: 1: .*does not fit"),
-        ("set    = { rho = ", "set    = { L = ", r"\[sweep\] set: L: is swept, and cannot follow"),
-        ('K         = {', 'N = "2*h/h"\nK         = {', r"\[converge\]: N is the level here"),
+        ("set    = { rho = ", "set    = { L = ", r"\[sweep\] set: L: is in ranges, so it cannot be set"),
+        ('K         = {', 'N = "2*h/h"\nK         = {', r"\[converge\]: N is the name of the level"),
     ],
 )  # fmt: skip
 def test_what_is_wrong_with_a_plan_is_said_with_its_place(changed, old, new, message):

@@ -49,7 +49,7 @@ relative = { t_peak = "3e-6" }
     assert budget(case, "t_impact") is None
     tight, loose = review(case)
     assert not tight
-    assert of(loose, "t_impact") == ["t_impact: no error budget says why the tolerance is 5e-07"]
+    assert of(loose, "t_impact") == ["t_impact: no error budget gives a reason for the tolerance, 5e-07"]
     assert not of(loose, "t_peak")
 
 
@@ -57,7 +57,7 @@ def test_a_loose_tolerance_is_doubtful(changed):
     tight, loose = review(changed(r"relative = 5e-7", "relative = 0.01"))
     assert not tight
     assert re.fullmatch(
-        r"t_impact: the tolerance, 0.01, is over 10 times the budget, \S+", *of(loose, "t_impact")
+        r"t_impact: the tolerance, 0.01, is more than 10 times the budget, \S+", *of(loose, "t_impact")
     )
 
 
@@ -91,7 +91,7 @@ def test_the_budget_of_a_target_of_zero_is_in_the_unit_of_the_result(changed):
     expected = budget(zero, "z_impact")
     assert allowed(zero, "z_impact") == pytest.approx(1e-4, rel=1e-12)
     assert re.fullmatch(
-        f"z_impact: the tolerance, 0.0001, is over 10 times the budget, {expected:.2g}",
+        f"z_impact: the tolerance, 0.0001, is more than 10 times the budget, {expected:.2g}",
         *of(review(zero)[1], "z_impact"),
     )
     tight = changed(

@@ -12,7 +12,7 @@ def test_two_runs_of_one_case(ball, vm, here):
 
     code, printed, _ = vm("compare", "a.json", "a.json")
     assert code == 0
-    assert "6 results are the same, 0 are shown" in printed
+    assert "6 results are equal, 0 are shown" in printed
     code, printed, complaint = vm("compare", "a.json", "b.json", "--json", "c.json")
     assert code == 1
     assert "ke_impact (lbf-in)" in printed
@@ -27,11 +27,11 @@ def test_a_file_that_is_no_run(here, vm):
     (here / "a.json").write_text("[]")
     code, _, complaint = vm("compare", "a.json", "a.json")
     assert code == 4
-    assert "not what `vm run --json` writes" in complaint
+    assert "not a file of `vm run --json`" in complaint
 
 
 def test_a_run_of_another_schema_is_refused(here, vm):
     (here / "a.json").write_text('{"schema": 99, "version": "9", "cases": []}')
     code, _, complaint = vm("compare", "a.json", "a.json")
     assert code == 4
-    assert "a.json: schema 99; `vm run --json` writes 1 now" in complaint
+    assert "a.json: schema 99, but only 1 can be read" in complaint

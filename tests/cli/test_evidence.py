@@ -21,9 +21,9 @@ def coarse(ball):
 @pytest.fixture
 def few(monkeypatch):
     """Only a few of the faults are planted."""
-    real = faults.planted
+    real = faults.all_faults
     monkeypatch.setattr(
-        faults, "planted", lambda case, sound: [one for one in real(case, sound) if one.name in FEW]
+        faults, "all_faults", lambda case, sound: [one for one in real(case, sound) if one.name in FEW]
     )
 
 
@@ -33,7 +33,7 @@ def test_faults_are_scored_and_kept_for_the_page(ball, vm, here, few, monkeypatc
     code, out, _ = vm("faults", "VM-061", "-j", "1", "--json", "all.json")
     assert code == 0
     assert "planted faults: 3 runs" in out
-    assert "No case has anything of " in out
+    assert "These faults change no case: " in out
     record = json.loads((here / "reports" / "VM-061" / "studies" / "faults.json").read_text())
     by = {one["fault"]: one for one in record["findings"]}
     assert by["G +1 %"]["noticed"] == "caught"
@@ -45,16 +45,16 @@ def test_faults_are_scored_and_kept_for_the_page(ball, vm, here, few, monkeypatc
     assert "3 runs, 3 of them from cache" in out
     assert vm("run", "VM-061")[0] == 0
     page = (here / "reports" / "VM-061" / "README.md").read_text()
-    assert "## Faults" in page
+    assert "## Planted faults" in page
     assert "| G |" in page
-    assert "| The first velocity is taken a whole step, not half a step, from the start |" in page
+    assert "| The first velocity is that of a whole step after the start, not of half a step |" in page
 
 
 def test_a_case_that_fails_has_no_score(ball, vm, few):
     ball(**{"RG            386.0": "RG            387.0"})
     code, out, err = vm("faults", "VM-061", "-j", "1")
     assert code == 6
-    assert "VM-061: does not pass without any fault: " in err
+    assert "VM-061: the run without a fault does not pass: " in err
     assert "faults.json" not in out
 
 
@@ -62,16 +62,16 @@ def test_a_difference_is_explained_and_kept_for_the_page(ball, vm, here):
     coarse(ball)
     code, out, _ = vm("explain", "VM-061", "-j", "1")
     assert code == 0
-    assert "numbers of the deck" in out
+    assert "rounding of the deck" in out
     assert "LS-DYNA: states 0.001 s apart" in out
     record = json.loads((here / "reports" / "VM-061" / "studies" / "explain.json").read_text())
     peak = next(one for one in record["results"] if one["key"] == "z_peak")
     parts = {part["cause"]: part["value"] for part in peak["parts"]}
-    assert parts["numbers of the deck"] == pytest.approx(-5.3e-6, rel=0.02)
+    assert parts["rounding of the deck"] == pytest.approx(-5.3e-6, rel=0.02)
     assert vm("run", "VM-061")[0] == 0
     page = (here / "reports" / "VM-061" / "README.md").read_text()
-    assert "## The difference, cause by cause\n" in page
-    assert "Of all readings tried, states 0.001 s apart" in page
+    assert "## Causes of the error\n" in page
+    assert "Of all ways of reading that were tried, the following one (states 0.001 s apart" in page
     assert (here / "reports" / "VM-061" / "explained.svg").read_text().startswith("<svg")
 
 
@@ -80,4 +80,4 @@ def test_what_cannot_be_explained_is_said(ball, vm):
     (ball() / "deck.k").write_text("*KEYWORD\n*END\n")
     code, _, err = vm("explain", "VM-061", "-j", "1")
     assert code == 4
-    assert "the run that is to be explained failed" in err
+    assert "the run of the unchanged case failed" in err

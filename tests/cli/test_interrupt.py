@@ -29,7 +29,7 @@ def test_ctrl_c_keeps_what_is_done_and_ends_every_worker(ball, vm_process, name)
         process.send_signal(signal.SIGTERM)
     out, err = process.communicate()
     assert process.returncode == 2
-    assert "interrupted; what is done is kept" in err
+    assert "interrupted; finished cases are kept" in err
     assert "Traceback" not in out + err
     assert "2 not run, 1 pass" in out
     assert [case["id"] for case in json.loads(Path("r.json").read_text())["cases"]] == [

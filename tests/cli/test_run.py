@@ -54,7 +54,7 @@ def test_a_wrong_deck_is_1_and_is_run_again_by_lf(ball, vm):
     assert code == 1
     assert "1 fail, 1 pass" in out
     assert "VM-061: fail: t_impact: 0.07194" in out
-    assert "  again: vm run VM-061\n" in out
+    assert "  run it again: vm run VM-061\n" in out
     assert Path("reports/index.html").is_file()
     assert Path("reports/sound/index.html").is_file()
 
@@ -136,7 +136,7 @@ def test_a_narrowed_run_links_to_an_index_only_if_there_is_one_and_says_that_it_
     assert "earlier run" not in out
     _, out, _ = vm("run", "VM-061")
     assert link in page.read_text()
-    assert "the index is of an earlier run; `vm run` without a selection makes it anew\n" in out
+    assert "the index is from an earlier run; `vm run` without a selection writes it again\n" in out
 
 
 def test_a_deck_that_the_solver_refuses_could_not_be_judged(ball, vm):

@@ -34,7 +34,7 @@ def change(folder, *pairs):
 def test_converge_says_the_order_and_leaves_it_for_the_page(study, here, vm):
     code, printed, _ = vm("converge", "VM-061", "--json", "found.json")
     assert code == 0
-    assert "Refined: the time step; its size, t_impact/(N + 0.2), on 3 levels." in printed
+    assert "The time step is refined on 3 levels; its size is t_impact/(N + 0.2)." in printed
     found = json.loads((here / "found.json").read_text())
     assert found == json.loads((here / "reports/VM-061/studies/converge.json").read_text())
     orders = {result["key"]: result["found"]["order"] for result in found["results"]}
@@ -53,7 +53,7 @@ def test_check_names_studies_that_other_sources_made(study, here, vm, monkeypatc
     assert made == {"solver": f"vmharness {__version__}", "sources": sources()}
     assert "study converge" not in vm("check", "VM-061")[1]
     monkeypatch.setattr("vmharness.studies.sources.sources", lambda: "0123abcd" * 8)
-    line = f"doubtful: study converge: made by sources {made['sources'][:8]}, which are now 0123abcd"
+    line = f"doubtful: study converge: made from sources {made['sources'][:8]}; the sources are now 0123abcd"
     assert line in vm("check", "VM-061")[1]
 
 
@@ -61,14 +61,14 @@ def test_a_promise_that_is_not_kept_fails(study, vm):
     change(study, ("z_peak = 2 }", "z_peak = 3 }"))
     code, printed, _ = vm("converge", "VM-061")
     assert code == 1
-    assert "z_peak: not of the order that theory promises" in printed
+    assert "z_peak: the order is lower than theory expects" in printed
 
 
 def test_sweep_says_where_the_worst_is(study, here, vm):
     code, printed, _ = vm("sweep", "VM-061", "-n", "3", "--seed", "4", "--json", "found.json")
     assert code == 0
     assert "3 points of a Latin hypercube, seed 4" in printed
-    assert "Every result is within its tolerance at 3 of 3 points." in printed
+    assert "All results are within their tolerances at 3 of 3 points." in printed
     found = json.loads((here / "found.json").read_text())
     assert len(found["data"]["m"]) == 3
 
@@ -80,7 +80,7 @@ def test_a_sweep_that_fails_ends_with_a_line_that_runs_the_simplest_such_point(s
     code, printed, _ = vm("sweep", "VM-061", "--cases", "cases", "-n", "2")
     assert code == 1
     (line,) = [line for line in printed.splitlines() if line.startswith("Out of tolerance: ")]
-    again = line.partition("point: vm ")[2].split()
+    again = line.partition("point that fails: vm ")[2].split()
     assert again[2:4] == ["--cases", "cases"]
     assert [word.partition("=")[0] for word in again if "=" in word] == ["m", "rho"]
     assert vm(*again, "--no-report")[0] == 1
@@ -107,7 +107,7 @@ def test_a_case_without_a_plan_says_so(study, vm):
     (study / "case.toml").write_text(text[:start] + text[end:])
     code, _, complaint = vm("converge", "VM-061")
     assert code == 4
-    assert "VM-061: has no [converge]" in complaint
+    assert "VM-061: case.toml has no [converge] table" in complaint
 
 
 def test_what_is_done_when_interrupted_is_taken_up_again(ball, vm_process):
@@ -121,5 +121,5 @@ def test_what_is_done_when_interrupted_is_taken_up_again(ball, vm_process):
     os.killpg(process.pid, signal.SIGINT)
     out, err = process.communicate()
     assert process.returncode == 2, out + err
-    assert "2 of 3 runs are done and kept; the same command goes on from there" in err
+    assert "2 of 3 runs are done and kept; repeat the command to continue" in err
     assert not endless.exists()

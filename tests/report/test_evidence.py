@@ -18,15 +18,15 @@ def detection(case, *findings):
 def planted(good):
     return detection(
         good.case,
-        Finding("K +1 %", "In the deck, K +1 %", "deck", Noticed.CAUGHT, "z_peak", 214.0),
+        Finding("K +1 %", "Deck: K +1 %", "deck", Noticed.CAUGHT, "z_peak", 214.0),
         Finding(
-            "K of the other sign",
-            "In the deck, K of the other sign",
+            "K with the opposite sign",
+            "Deck: K with the opposite sign",
             "deck",
             Noticed.CAUGHT,
             reason="refused",
         ),
-        Finding("RHO +1 %", "In the deck, RHO +1 %", "deck", Noticed.HARMLESS, "z_peak", 0.3),
+        Finding("RHO +1 %", "Deck: RHO +1 %", "deck", Noticed.HARMLESS, "z_peak", 0.3),
         Finding("lag", "Times are late", "reading", Noticed.MISSED, "t_peak", 0.47),
         Finding("friction", "Friction pulls", "physics", Noticed.UNSEEN),
     )
@@ -36,19 +36,22 @@ def test_faults_are_on_the_page_and_in_the_index(good, planted, tmp_path):
     records.write(tmp_path, good.case.id, "faults", planted)
     report.write_case(good, tmp_path)
     page = (tmp_path / good.case.id / "README.md").read_text()
-    assert "Of 3 planted faults that change this run, 2 are caught" in page
-    assert "Not noticed here: lag." in page
+    assert "Of the 3 faults that change this run, 2 are caught" in page
+    assert "Not caught in this case: lag." in page
     assert "| K | ✓ 210 × | ✓ no result |" in page
-    assert "| Times are late | in what is shown or read of it | ✗ 0.47 × | t_peak |" in page
-    assert "Not applicable, for the run is the same with it: friction." in page
-    assert "without effect on any result, however wrong: RHO." in page
+    assert "| Times are late | output, or reading of the results | ✗ 0.47 × | t_peak |" in page
+    assert "These faults do not change this run: friction." in page
+    assert "Wrong values make no result fail: RHO." in page
     report.write_index([good], tmp_path)
     for name in ("README.md", "index.html"):
         index = (tmp_path / name).read_text()
         assert "2 of 3 faults" in index
-        assert "What the cases notice" in index
-        assert "No case catches lag (Times are late); nearest is t_peak, at 0.47 × its tolerance." in index
-        assert "No case has anything of friction." in index
+        assert "Faults of the solver that the cases catch" in index
+        assert (
+            "No case catches lag (Times are late). The largest error is that of t_peak: 0.47 × its tolerance."
+            in index
+        )
+        assert "These faults change no case: friction." in index
 
 
 def test_a_row_of_the_index_names_the_cases_that_notice_a_fault_the_farthest_off_first(good, planted):
@@ -61,7 +64,12 @@ def test_a_row_of_the_index_names_the_cases_that_notice_a_fault_the_farthest_off
         FaultsRecord("D", "0", [noticed(Noticed.UNSEEN, 0.0)]),
     ]
     (table,) = faults.together([planted, *others]).tables
-    assert list(table.head) == ["Fault", "Caught by", "Farthest off, in tolerances", "Changes without notice"]
+    assert list(table.head) == [
+        "Fault",
+        "Caught by",
+        "Largest error, in tolerances",
+        "Changed, but not caught",
+    ]
     assert table.rows == [
         ["Times are late", "C, B", "70 ×", good.case.id],
         ["Friction pulls", "–", "–", "–"],
@@ -78,7 +86,7 @@ def test_the_score_of_the_manual(planted):
 
 def test_an_index_without_records_has_no_matrix(good, tmp_path):
     report.write_index([good], tmp_path)
-    assert "What the cases notice" not in (tmp_path / "index.html").read_text()
+    assert "Faults of the solver that the cases catch" not in (tmp_path / "index.html").read_text()
 
 
 def test_a_column_that_the_case_says_how_to_read_is_explained_once(good, tmp_path):
@@ -90,14 +98,17 @@ def test_a_column_that_the_case_says_how_to_read_is_explained_once(good, tmp_pat
     report.write_case(good, tmp_path)
     for name in ("README.md", "index.html"):
         page = (tmp_path / good.case.id / name).read_text()
-        assert page.count("Where the published difference comes from: LS-DYNA") == 1
+        assert page.count("Source of the published difference: LS-DYNA") == 1
         assert page.count("0.001 s apart") == 1
-        assert "Of all readings tried, this one gives most of the column: 1 of 1 figures." in page
+        assert (
+            "Of all ways of reading that were tried, this one gives the most figures of the column: 1 of 1 figures."
+            in page
+        )
         assert "very times" not in page
-        assert "t_peak fits another." in page
+        assert "t_peak agrees with another reading: another." in page
         assert page.count("The published kinetic energy, 193.10") == 1
         assert (
-            "VM65: Mechanical APDL Verification Manual, test case VM65, targets. Shown for comparison, "
+            "VM65: Mechanical APDL Verification Manual, test case VM65, targets. These values are for comparison "
             in page
         )
         assert page.count("The target of VM65") == 1
@@ -116,16 +127,16 @@ def test_parts_are_shares_of_the_tolerance_and_drawn(good, tmp_path):
     report.write_case(good, tmp_path)
     page = (tmp_path / good.case.id / "README.md").read_text()
     assert "| z_peak | 20 | 20 | -10 | 10 | 5 |" in page
-    story = page.partition("## Where the published difference comes from: LS-DYNA\n")[2].partition("\n## ")[0]
+    story = page.partition("## Source of the published difference: LS-DYNA\n")[2].partition("\n## ")[0]
     assert (
-        "Of all readings tried, states 0.001 s apart gives most of the column: 1 of 1 figures; 0.002 s"
-        in story
+        "Of all ways of reading that were tried, the following one (states 0.001 s apart) gives the most figures of the "
+        "column: 1 of 1 figures. An interval of 0.002 s gives as many." in story
     )
-    assert "ke fits another." in story
-    assert "0 of 1 figures are the targets of this case, rounded. Not so: z_peak." in page
+    assert "ke agrees with another reading: another." in story
+    assert "0 of 1 figures equal the rounded targets of this case. These do not: z_peak." in page
     assert "- The mesh is fixed." in page
     assert "| z_peak | 0.032 | 0.032 | 0 | 0 |" in page  # in percent of the target
     for name in ("explained.svg", "explained-1.svg"):
         assert (tmp_path / good.case.id / name).read_text().startswith("<svg")
     report.write_index([good], tmp_path)
-    assert "10 % of a tolerance unexplained" in (tmp_path / "README.md").read_text()
+    assert "10 % of a tolerance is unexplained" in (tmp_path / "README.md").read_text()

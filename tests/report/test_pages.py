@@ -101,7 +101,7 @@ def test_results_table_has_the_columns_of_the_manual_and_a_row_for_each_result(g
     assert velocity["LS-DYNA"] == "-27.791"
     assert velocity["VM65"] == "-27.79"
     assert velocity["Verdict"] == "✓ pass"
-    assert velocity["Share used"] == "50 %"
+    assert velocity["Tolerance used"] == "50 %"
 
 
 @pytest.mark.parametrize("kind", ["good", "broken"])
@@ -191,7 +191,7 @@ def test_a_run_that_ends_early_says_why_and_shows_what_there_is(broken, tmp_path
     assert markdown.splitlines()[2] == "**! ERROR** – energy is not finite at t = 0.08 &lt;cycle 800>"
     assert "&lt;cycle 800&gt;" in html
     assert "history-z.svg" in markdown
-    assert "Where the published difference" not in markdown
+    assert "Source of the published difference" not in markdown
     peak = [row for row in table_after(markdown, "Results comparison") if row[0] == "Time (s)"][1]
     assert peak[2:4] == ["–", "–"]
 
@@ -209,10 +209,10 @@ def test_a_run_without_a_history_has_a_page(broken, tmp_path):
 
 def test_published_difference_is_told_apart_into_explained_and_not(good, tmp_path):
     markdown, _ = written(good, tmp_path)
-    assert "prints 1 of the 2 figures of the LS-DYNA column" in markdown
-    assert "Not explained by it: Kinetic Energy at impact." in markdown
-    kinetic = table_after(markdown, "Where the published difference")[3]
-    assert kinetic[-1] == "✗ no; at 0.072 it is 193.099: ✓ yes"
+    assert "gives 1 of the 2 figures of the LS-DYNA column" in markdown
+    assert "The reading does not explain: Kinetic Energy at impact." in markdown
+    kinetic = table_after(markdown, "Source of the published difference")[3]
+    assert kinetic[-1] == "✗ no; at exactly 0.072 s: 193.099, ✓ yes"
 
 
 def test_the_head_of_a_row_tells_the_verdict_where_its_column_is_off_the_screen(failed, tmp_path):
@@ -235,7 +235,7 @@ def test_results_of_one_event_stand_together_wherever_the_case_has_them(good, tm
 
 def test_planted_faults_say_how_far_theory_moves_what_must_fail(good, tmp_path):
     markdown, _ = written(good, tmp_path)
-    stiff = table_after(markdown, "Planted faults")[2]
+    stiff = table_after(markdown, "Declared faults")[2]
     # One percent of stiffness shortens the time on the surface by about half a percent.
     moved = float(re.search(r"t_peak: (-[\d.]+) %", stiff[2])[1])
     on_surface = good.case.theory["t_peak"] - good.case.theory["t_impact"]
@@ -253,9 +253,9 @@ def test_values_published_for_the_case_s_own_data_stand_beside_no_others(good, t
     markdown, html = written(replace(good, case=good.case.with_given({"k": 2000.0})), tmp_path)
     for text in (markdown, html):
         assert "LS-DYNA Verification Manual, VM" not in text
-        assert "Where the published difference" not in text
+        assert "Source of the published difference" not in text
         assert "27.791" not in text
-        assert "The text below describes the case with its own." in text
+        assert "The text below describes the case with its own data." in text
     head, *rows = table_after(markdown, "Results comparison")
     assert head[-1] == "Verdict"
     assert {len(row) for row in rows} == {len(head)}
@@ -318,6 +318,6 @@ def test_sensitivity_tells_what_moves_what_and_from_where_on_it_is_seen(good, tm
     table = {row[0]: dict(zip(head[1:], row[1:], strict=True)) for row in rows}
     assert set(table) == {"m", "k", "h", "g"}
     assert (table["h"]["t_impact"], table["g"]["t_impact"]) == ("0.5", "-0.5")
-    assert table["g"]["Seen in the deck from"] == "0.0001 %, by t_impact"
+    assert table["g"]["Smallest error that fails"] == "0.0001 % (t_impact)"
     assert "No target depends on E, nu, L, rho, dt." in markdown
     assert "<h2>Sensitivity</h2>" in html

@@ -42,16 +42,16 @@ def test_the_page_says_what_made_a_study(good, tmp_path):
 def test_a_record_of_before_is_read_and_says_that_its_maker_is_unknown(good, tmp_path):
     records.write(tmp_path, good.case.id, "faults", Old(good.case.id, good.case.inputs_sha256))
     markdown, _ = page(good, tmp_path)
-    assert "## Faults\n" in markdown
-    assert "*What made it is not recorded.*" in markdown
+    assert "## Planted faults\n" in markdown
+    assert "*The record does not name the solver and the sources that made it.*" in markdown
 
 
 @pytest.mark.parametrize(
     ("sources", "case_sha256", "said"),
     [
         (OURS, None, []),
-        (OTHERS, None, ["study faults: made by sources b2b2b2b2, which are now a1a1a1a1"]),
-        (OURS, "0" * 64, ["study faults: the case was changed after it"]),
+        (OTHERS, None, ["study faults: made from sources b2b2b2b2; the sources are now a1a1a1a1"]),
+        (OURS, "0" * 64, ["study faults: the case was changed after the study"]),
     ],
 )
 def test_what_would_be_made_otherwise_is_stale(good, tmp_path, sources, case_sha256, said):
@@ -64,7 +64,7 @@ def test_studies_that_are_stale_for_one_reason_are_named_together(good, tmp_path
         path = records.write(tmp_path, good.case.id, name, Old(good.case.id, good.case.inputs_sha256))
     (path.parent / "faults.json").write_text("nothing")
     assert stale(path.parent, good.case.inputs_sha256, OURS) == [
-        "study converge, sweep: what made it is not recorded",
+        "study converge, sweep: the record does not name the sources that made it",
         "study faults: the record cannot be read",
     ]
 

@@ -29,7 +29,7 @@ CASES = Path(__file__).parents[2] / "cases"
 def coarse():
     """VM-061 in steps of 0.1 ms, by its parameter."""
     case = read(CASES / "VM-061")
-    return replace(case, planted={"RHO": 2.5437})
+    return replace(case, overrides={"RHO": 2.5437})
 
 
 def explain(case, fault=""):

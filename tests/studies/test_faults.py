@@ -12,9 +12,9 @@ import pytest
 from vmharness.case import CaseError, read
 from vmharness.case.deck import read_deck
 from vmharness.studies.faults import deck_faults, plant
-from vmharness.studies.faults.deck_faults import Planted
+from vmharness.studies.faults.deck_faults import CaseFault
 from vmharness.studies.faults.record import FaultsRecord, Noticed, coverage
-from vmharness.studies.faults.runs import StudyError, finding, planted, record
+from vmharness.studies.faults.runs import StudyError, all_faults, finding, record
 from vmharness.studies.gather import gather
 from vmharness.studies.measured import Measured, Value
 from vmharness.studies.variant import Variant
@@ -26,7 +26,7 @@ SOUND = Measured({"x": Value(1.0, 1.0, 0.1, "pass")}, history_sha256="a", cycles
 @pytest.fixture
 def ball():
     """VM-061 in steps of 0.1 ms, by its parameter."""
-    return replace(read(CASES / "VM-061"), planted={"RHO": 2.5437})
+    return replace(read(CASES / "VM-061"), overrides={"RHO": 2.5437})
 
 
 def run(variants):
@@ -37,7 +37,7 @@ def run(variants):
 def studied(case, *names):
     """The findings of the faults of these names."""
     (sound,) = run([Variant(case)])
-    chosen = [fault for fault in planted(case, sound) if fault.name in names]
+    chosen = [fault for fault in all_faults(case, sound) if fault.name in names]
     assert len(chosen) == len(names)
     found = record(case, sound, chosen, run([fault.variant for fault in chosen]))
     return found, {one.fault: one for one in found.findings}
@@ -79,11 +79,11 @@ def test_a_fault_without_effect_is_not_applicable(store, ball):
 
 def test_a_case_that_fails_without_faults_is_not_studied(ball):
     with pytest.raises(StudyError, match="VM-061: does not pass without any fault: it diverged"):
-        planted(ball, Measured(failure="it diverged"))
+        all_faults(ball, Measured(failure="it diverged"))
 
 
 def one(outcome):
-    return finding(Planted("f", "F", "physics", Variant(None)), SOUND, outcome)
+    return finding(CaseFault("f", "F", "physics", Variant(None)), SOUND, outcome)
 
 
 def test_what_an_outcome_says_of_a_fault():

@@ -41,10 +41,10 @@ def published(case, **values):
 
 def test_the_published_column_of_the_ball_is_read_from_states_a_millisecond_apart(ball, history):
     found, _ = columns(ball, history)
-    assert found.reading.startswith("states 0.001 s apart, each the last cycle not after its time")
+    assert found.reading.startswith("states 0.001 s apart, each is the last cycle up to its nominal time")
     assert set(found.same) == {"t_impact", "z_impact", "v_impact", "t_peak", "z_peak"}
     assert list(found.others) == ["ke_impact"]
-    assert "at its very time" in found.others["ke_impact"]
+    assert "at exactly its nominal time" in found.others["ke_impact"]
     assert found.also == [0.002]  # 72 and 100 ms are states of both
     for one in found.results:
         parts = {part.cause: part.value for part in one.parts}

@@ -95,7 +95,7 @@ def test_constraints_hold_at_every_point(case):
     assert len(chosen) == 20
     assert all(386.0 <= point["g"] <= 579.0 for point in chosen)
     never = planned(narrow, within=[msgspec.structs.replace(limit, low=-2.0, high=-1.0)])
-    with pytest.raises(CaseError, match="no point of the region meets its constraints"):
+    with pytest.raises(CaseError, match="no point of the region meets the constraints"):
         points(never, 5, 0, None)
 
 
@@ -110,7 +110,7 @@ def test_the_section_of_the_page(case):
     section = page.section(msgspec.json.encode(found), case)
     assert section.summary.startswith("3 of 3 points, ")
     assert page.figures(msgspec.json.encode(found))[0].svg.startswith("<svg")
-    assert section.tables[0].head[:3] == ["Result", "Failed", "Worst share"]
+    assert section.tables[0].head[:3] == ["Result", "Points failed", "Largest share"]
     assert "k from 1000 to 4000 lbf/in" in section.text[0]
 
 
@@ -122,7 +122,7 @@ def test_a_grid_that_nobody_could_run_is_refused(case):
 
 def test_a_case_that_declares_no_region_says_so(case):
     without = replace(case, file=msgspec.structs.replace(case.file, sweep=None))
-    with pytest.raises(CaseError, match=r"VM-061: has no \[sweep\]"):
+    with pytest.raises(CaseError, match=r"VM-061: case.toml has no \[sweep\] table"):
         points(without, 5, 0, None)
 
 

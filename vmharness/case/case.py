@@ -1,4 +1,4 @@
-"""A case: its file, and the numbers that follow from its data."""
+"""A case: its file, its data and the theory evaluated for them."""
 
 import hashlib
 import math
@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 class Case:
     """A verification case with one set of data; all numbers are in its consistent units.
 
-    The theory uses the data of the case alone, never the deck's: a wrong deck must fail.
+    The theory uses the data of the case, never those of the deck, so that a wrong deck fails.
     """
 
     id: str
@@ -35,9 +35,11 @@ class Case:
     dimensions: Mapping[str, Dimension]  # of data and theory
     theory: Mapping[str, float]
     changed: frozenset[str] = frozenset()  # data that are not those of the file
-    planted: dict[str, float] = field(default_factory=dict)  # parameters of a deck wrong on purpose
-    planted_mesh: dict[str, float] = field(default_factory=dict)  # what its template is made of, likewise
-    deck_text: str = ""  # a deck to run in place of the folder's, all its numbers in it
+    overrides: dict[str, float] = field(default_factory=dict)  # parameters of the deck in place of the case's
+    mesh_overrides: dict[str, float] = field(
+        default_factory=dict
+    )  # mesh parameters of its template, likewise
+    deck_text: str = ""  # a complete deck to run in place of that of the folder
 
     @property
     def values(self) -> dict[str, float]:
@@ -46,24 +48,24 @@ class Case:
 
     @property
     def deck_path(self) -> Path:
-        """The deck as it lies in the folder."""
+        """The path of the deck, or of its template, in the folder."""
         return self.folder / self.file.deck.file
 
     @property
     def deck_name(self) -> str:
-        """The name of the deck that runs: of a template, that of what is made of it."""
+        """The name of the deck that runs, without the suffix of a template."""
         return self.file.deck.file.removesuffix(SUFFIX)
 
     @property
     def input_files(self) -> list[str]:
-        """Names of the files of the folder beside the deck that runs: further input, a template, case.toml."""
+        """Names of the other input files: further files, a template, case.toml."""
         template = [] if self.deck_name == self.file.deck.file else [self.file.deck.file]
         return [*self.file.files, *template, "case.toml"]
 
     def deck_source(self, most: float = math.inf) -> str:
-        """The deck that runs in place of the folder's: one that was set, or made of a template; else nothing.
+        """The deck that runs in place of that of the folder: one that was set, or rendered from a template; else "".
 
-        Raises CaseError where the template is wrong, or makes a deck of more than `most` characters.
+        Raises CaseError if the template is wrong, or makes a deck of more than `most` characters.
         """
         if self.deck_text or not self.file.deck.file.endswith(SUFFIX):
             return self.deck_text
@@ -71,32 +73,32 @@ class Case:
 
     @property
     def sha256(self) -> str:
-        """Of case.toml as it lies in the folder."""
+        """Hash of case.toml."""
         return hashlib.sha256((self.folder / FILE).read_bytes()).hexdigest()
 
     @property
     def inputs_sha256(self) -> str:
-        """Of case.toml, deck and whatever else lies in the folder but prose and pictures."""
+        """Hash of all files of the folder except prose and pictures."""
         return inputs(self.folder)
 
     @property
     def published(self) -> list[Published]:
-        """Values printed elsewhere; none for other data than those that they were printed for."""
+        """Published columns; none for other data than those of the file."""
         return [] if self.changed else self.file.published
 
     def datum(self, name: str) -> float:
-        """A given datum in its own unit, to 15 digits where it is not the file's number itself."""
+        """A given datum in its own unit; a changed one to 15 digits."""
         given = self.file.given[name]
         if name not in self.changed:
             return given.value
         return float(f"{self.given[name] / self.units.factor(given.unit):.15g}")
 
     def result(self, key: str) -> Result:
-        """The declared result `key`."""
+        """The result with the key `key`."""
         return next(result for result in self.file.results if result.key == key)
 
     def target(self, key: str) -> float:
-        """What theory predicts for the result `key`."""
+        """The target of the result `key`, by theory."""
         return self.evaluate(f"target {key}")
 
     def curve(self, name: str, t: Array) -> Array:
@@ -105,14 +107,14 @@ class Case:
         return np.broadcast_to(np.asarray(values, float), t.shape)
 
     def evaluate(self, name: str) -> float:
-        """The value of the formula `name`; raises CaseError where it has none for these data."""
+        """The value of the formula `name`; raises CaseError if it has none for these data."""
         try:
             return float(self.formulas[name].evaluate(self.values))
         except FormulaError as error:
             raise CaseError(f"{self.id}: {name}: {error}") from None
 
     def with_given(self, changes: Mapping[str, float]) -> "Case":
-        """The same case with other data: the theory is evaluated anew, and the deck's parameters follow."""
+        """The case with other data: theory and parameters of the deck follow."""
         for name in changes:
             if name not in self.given:
                 raise CaseError(f"{self.id}: no given datum {name}; there are: {', '.join(self.given)}")
@@ -124,37 +126,39 @@ class Case:
         return replace(self, given=given, theory=theory, changed=changed)
 
     def deck_parameters(self) -> dict[str, float]:
-        """The deck's parameters where the data are not those of the file, all of them; none while they are.
+        """All parameters of the deck if data were changed; only `overrides` if not.
 
-        All, so that nothing of the file's rounding is left in a deck whose theory has other numbers.
+        All of them, so that the deck keeps no rounded number of the file when the theory has other data.
         """
         if self.deck_text:
             return {}
         if not self.changed:
-            return dict(self.planted)
-        return {name: self.evaluate(f"parameter {name}") for name in self.file.deck.parameters} | self.planted
+            return dict(self.overrides)
+        return {
+            name: self.evaluate(f"parameter {name}") for name in self.file.deck.parameters
+        } | self.overrides
 
     def mesh_parameters(self) -> dict[str, float]:
-        """What the template of the deck is made of; nothing without a template."""
-        return {name: self.evaluate(f"mesh {name}") for name in self.file.deck.mesh} | self.planted_mesh
+        """The mesh parameters of the template; none without a template."""
+        return {name: self.evaluate(f"mesh {name}") for name in self.file.deck.mesh} | self.mesh_overrides
 
     def with_deck_of(self, changes: Mapping[str, float]) -> "Case":
-        """The same case, its theory untouched, with the deck that other data would have: wrong on purpose."""
+        """The case with the deck of other data but its own theory: a fault on purpose."""
         other = self.with_given(changes)
-        return replace(self, planted=other.deck_parameters(), planted_mesh=other.mesh_parameters())
+        return replace(self, overrides=other.deck_parameters(), mesh_overrides=other.mesh_parameters())
 
     def with_deck(self, text: str) -> "Case":
-        """The same case with the deck `text` in place of its own, which is run as it is."""
+        """The case with the complete deck `text` in place of its own."""
         return replace(self, deck_text=text)
 
     def moves_deck(self, datum: str) -> bool:
-        """Whether anything in the deck follows from a given datum, so that it can be set."""
+        """Whether a parameter of the deck depends on a given datum, so that the datum can be set."""
         follow = [f"parameter {name}" for name in self.file.deck.parameters]
         follow += [f"mesh {name}" for name in self.file.deck.mesh]
         return any(datum in self.origins(name) for name in follow)
 
     def origins(self, formula: str) -> frozenset[str]:
-        """The given data on which a formula depends, through all the theory between."""
+        """The given data on which a formula depends, directly or through the theory."""
         origins: frozenset[str] = frozenset()
         for name in self.formulas[formula].names:
             origins |= {name} if name in self.given else self.origins(name)
@@ -164,7 +168,7 @@ class Case:
 def evaluate_theory(
     case: str, file: CaseFile, given: Mapping[str, float], formulas: Mapping[str, Formula]
 ) -> dict[str, float]:
-    """Evaluate the lines of the theory in their order; raises CaseError naming the line that has no value."""
+    """Evaluate the lines of the theory in order; raises CaseError with the line that has no value."""
     theory: dict[str, float] = {}
     for name in file.theory:
         try:

@@ -1,4 +1,4 @@
-"""case.toml checked entry by entry against what stands before it; formulas and dimensions are kept on the way."""
+"""Checks of case.toml, entry by entry: each entry may use only names above it; formulas and dimensions are kept."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -15,7 +15,7 @@ NUMBER = r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?"
 
 
 class Checks:
-    """Everything in the file is checked against what stands before it; collects formulas and dimensions on the way."""
+    """Checks of all tables in their order, and the formulas and dimensions found in them."""
 
     def __init__(self, folder: Path, file: CaseFile, units: UnitSystem) -> None:
         self.folder, self.file, self.units = folder, file, units
@@ -25,7 +25,7 @@ class Checks:
         self.keys: list[str] = []
 
     def all(self) -> None:
-        """Raise CaseError for the first thing that is wrong."""
+        """Raise CaseError for the first error."""
         self.given()
         self.theory()
         self.channels()
@@ -54,7 +54,7 @@ class Checks:
     def formula(
         self, place: str, name: str, text: str, extra: Mapping[str, Dimension] | None = None
     ) -> Dimension:
-        """Parse a formula, check its units, keep it as `name`."""
+        """Parse a formula, check its units, and keep it as `name`."""
         known = {**self.dimensions, **(extra or {})}
         try:
             formula = Formula(text)
@@ -96,14 +96,14 @@ class Checks:
         for name, channel in self.file.channels.items():
             place = f"[channels] {name}"
             if name == "time":
-                raise self.wrong(place, "time is always there; choose another name")
+                raise self.wrong(place, "the channel time always exists; choose another name")
             of = [key for key in OWNERS if getattr(channel, key) is not None]
             if len(of) != 1 and of != ["node", "contact"]:
                 raise self.wrong(place, f"needs just one of {', '.join(OWNERS)}")
             if channel.part is not None and of != ["energy"]:
-                raise self.wrong(place, "part goes with energy only")
+                raise self.wrong(place, "part is allowed with energy only")
             if channel.point is not None and of[0] not in ELEMENTS:
-                raise self.wrong(place, "point goes with an element only")
+                raise self.wrong(place, "point is allowed with an element only")
             if (channel.component is None) != (of == ["energy"]):
                 raise self.wrong(place, "needs a component, such as z-displacement, unless it is an energy")
 
@@ -125,26 +125,28 @@ class Checks:
             self.known(place, getattr(event, kinds[0]), self.file.channels, "channel")
         crossing = kinds == ["crossing_of"]
         if crossing != (event.level is not None) or crossing != (event.direction is not None):
-            raise self.wrong(place, "level and direction go with crossing_of, and with nothing else")
+            raise self.wrong(
+                place, "level and direction belong to crossing_of: give both with it, and neither without it"
+            )
         if event.level is not None:
             self.formula(place, f"level {name}", event.level)
         if event.pick > event.times:
-            raise self.wrong(place, f"pick = {event.pick}, but it happens {event.times} times only")
+            raise self.wrong(place, f"pick = {event.pick}, but the event happens only {event.times} times")
 
     def results(self) -> None:
         for number, result in enumerate(self.file.results, 1):
             place = f"[results] {number}"
             if result.key in self.keys:
-                raise self.wrong(place, f"key {result.key} is there twice")
+                raise self.wrong(place, f"key {result.key} is used twice")
             self.keys.append(result.key)
             self.known(place, result.event, self.file.events, "event")
             self.known(place, result.channel, ["time", *self.file.channels], "channel")
             if result.channel == "time" and self.file.events[result.event].at is not None:
-                raise self.wrong(place, f"the time of {result.event} is given: it cannot disagree")
+                raise self.wrong(place, f"the time of {result.event} is given, so it is no result to compare")
             dimension = self.formula(f"{place}: target", f"target {result.key}", result.target)
             self.unit(place, result.unit, dimension)
             if result.tolerance.relative == result.tolerance.absolute == 0.0:
-                raise self.wrong(place, "the tolerance allows nothing: give relative or absolute")
+                raise self.wrong(place, "the tolerance is zero: give relative or absolute")
 
     def curves(self) -> None:
         time = Unit(self.file.units.time).dimension
@@ -161,7 +163,9 @@ class Checks:
         for name, text in self.file.deck.mesh.items():
             self.formula(f"[deck.mesh] {name}", f"mesh {name}", text)
         if self.file.deck.mesh and not self.file.deck.file.endswith(SUFFIX):
-            raise self.wrong("[deck.mesh]", f"only a template, such as deck.k{SUFFIX}, has names for a mesh")
+            raise self.wrong(
+                "[deck.mesh]", f"only a template, such as deck.k{SUFFIX}, can have mesh parameters"
+            )
 
     def files(self) -> None:
         for name in [self.file.deck.file, *self.file.files]:

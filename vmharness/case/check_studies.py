@@ -1,4 +1,4 @@
-"""[converge] and [sweep] of case.toml checked; their formulas are kept on the way."""
+"""Checks of [converge] and [sweep] in case.toml; their formulas are kept."""
 
 from itertools import pairwise
 
@@ -6,18 +6,18 @@ from vmharness.case.check import Checks
 from vmharness.case.format import CaseFile
 from vmharness.formula import DIMENSIONLESS
 
-LEVEL = {"N": DIMENSIONLESS}  # what formulas of a level know beside data and theory
+LEVEL = {"N": DIMENSIONLESS}  # further name in the formulas of a level
 
 
 def check_converge(checks: Checks) -> None:
-    """The levels rise, and what is set at each is a datum, in its unit."""
+    """Levels increase, and each formula sets a datum in its unit."""
     plan = checks.file.converge
     if plan is None:
         return
     if "N" in checks.dimensions:
-        raise checks.wrong("[converge]", "N is the level here; give the datum or line of that name another")
+        raise checks.wrong("[converge]", "N is the name of the level; rename the datum or the line of theory")
     if any(fine <= coarse for coarse, fine in pairwise(plan.levels)):
-        raise checks.wrong("[converge] levels", "must rise")
+        raise checks.wrong("[converge] levels", "must increase")
     checks.formula("[converge] size", "converge size", plan.size, LEVEL)
     for name, text in plan.set.items():
         place = f"[converge] set: {name}"
@@ -29,7 +29,7 @@ def check_converge(checks: Checks) -> None:
 
 
 def check_sweep(checks: Checks) -> None:
-    """The ranges are of data, and what follows from them is another datum, in its unit."""
+    """Ranges belong to data, and each formula sets another datum in its unit."""
     plan = checks.file.sweep
     if plan is None:
         return
@@ -44,12 +44,12 @@ def check_sweep(checks: Checks) -> None:
         place = f"[sweep] set: {name}"
         checks.known(place, name, checks.file.given, "given datum")
         if name in plan.ranges:
-            raise checks.wrong(place, "is swept, and cannot follow")
+            raise checks.wrong(place, "is in ranges, so it cannot be set")
         checks.unit(place, checks.file.given[name].unit, checks.formula(place, f"sweep {name}", text))
 
 
 def planned(file: CaseFile) -> list[tuple[str, str]]:
-    """The data that studies set, each with its place in the file."""
+    """The data that studies set, with their places in the file."""
     found = [("[converge] set", name) for name in (file.converge.set if file.converge else ())]
     if file.sweep:
         found += [("[sweep] ranges", name) for name in file.sweep.ranges]

@@ -1,4 +1,4 @@
-"""case.toml -> its tables; what is wrong is said with its place in the file."""
+"""Decoding of case.toml into its tables; errors name their place in the file."""
 
 import re
 from collections.abc import Iterator
@@ -14,7 +14,7 @@ FILE = "case.toml"
 
 
 def decode(path: Path) -> CaseFile:
-    """The tables of the file at `path`; raises CaseError where it is missing, no TOML, or not of the format."""
+    """The tables of the file at `path`; raises CaseError if it is missing, is not TOML or does not fit the format."""
     try:
         return msgspec.toml.decode(path.read_bytes(), type=CaseFile)
     except OSError as error:

@@ -1,4 +1,4 @@
-"""A hash of files, by their names and contents."""
+"""Hash of files by their names and contents."""
 
 import hashlib
 from collections.abc import Iterable
@@ -8,7 +8,7 @@ PROSE = {".md", ".svg", ".png"}
 
 
 def digest(folder: Path, paths: Iterable[Path]) -> str:
-    """SHA-256 over the files at these `paths`, which count from `folder`, whatever their order."""
+    """SHA-256 of the files at `paths` below `folder`, independent of their order."""
     found = hashlib.sha256()
     for path in sorted(paths):
         found.update(f"{path.as_posix()}\0".encode())
@@ -17,6 +17,6 @@ def digest(folder: Path, paths: Iterable[Path]) -> str:
 
 
 def inputs(folder: Path) -> str:
-    """Of all files of a case's folder but prose and pictures, on which no result depends."""
+    """Hash of all files of a case folder except prose and pictures, on which no result depends."""
     paths = (path.relative_to(folder) for path in folder.rglob("*") if path.is_file())
     return digest(folder, (path for path in paths if path.suffix not in PROSE))

@@ -1,4 +1,4 @@
-"""What is wrong with a case, said with its place in the file, and with near names."""
+"""Errors in a case, with their place in the file and with similar names."""
 
 from collections.abc import Iterable
 from difflib import get_close_matches
@@ -9,7 +9,7 @@ class CaseError(Exception):
 
 
 def near(name: str, known: Iterable[str]) -> str:
-    """What to say after an unknown name: the nearest known ones, or all of them.
+    """The end of a message about an unknown name: similar known names, or all of them.
 
     >>> near("tolerence", ["tolerance", "target"])
     '; did you mean tolerance?'

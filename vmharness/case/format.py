@@ -1,4 +1,4 @@
-"""The format of case.toml: its tables as types, from which it is checked and its JSON schema is made."""
+"""Format of case.toml: its tables as types, which check the file and make its JSON schema."""
 
 from typing import Annotated, Literal
 
@@ -15,11 +15,11 @@ Count = Annotated[int, Meta(ge=1)]
 
 
 class Table(Struct, forbid_unknown_fields=True, frozen=True):
-    """A table of the file; keys that it does not have are refused."""
+    """A table of the file; unknown keys are an error."""
 
 
 class Units(Table, frozen=True):
-    """One consistent system: every number of the deck is in it."""
+    """The consistent units of the deck."""
 
     length: Text
     time: Text
@@ -42,14 +42,14 @@ class Line(Table, frozen=True):
     """A line of the theory."""
 
     formula: Formula
-    text: Annotated[str, Meta(description="What it is, in words")] = ""
+    text: Annotated[str, Meta(description="Meaning of the line, in words")] = ""
     unit: Annotated[
-        str | None, Meta(description="Unit to print it in; it must be of the formula's dimension")
+        str | None, Meta(description="Unit for printing; it must have the dimension of the formula")
     ] = None
 
 
 class Channel(Table, frozen=True):
-    """A quantity over time to record, in any solver: of a node, an element, a contact, the supports, or an energy."""
+    """A quantity over time that the solver records: of a node, an element, a contact, the supports, or an energy."""
 
     text: Text
     node: int | None = None
@@ -60,7 +60,7 @@ class Channel(Table, frozen=True):
     point: Annotated[
         Count | None, Meta(description="Integration point of the element, from 1; 1 if not given")
     ] = None
-    part: Annotated[int | None, Meta(description="Part whose energy it is, else the whole model's")] = None
+    part: Annotated[int | None, Meta(description="Part of the energy; the whole model if not given")] = None
     contact: Annotated[
         int | None,
         Meta(
@@ -90,7 +90,7 @@ class Channel(Table, frozen=True):
 
 
 class Event(Table, frozen=True):
-    """An instant of interest: at a time, or found between samples of the channel that a `..._of` key names."""
+    """An event: a given time, or a time found between samples of the channel that a `..._of` key names."""
 
     title: Text
     onset_of: Name | None = None
@@ -101,12 +101,14 @@ class Event(Table, frozen=True):
     at: Annotated[Formula | None, Meta(description="The time itself")] = None
     level: Annotated[Formula | None, Meta(description="Level of a crossing")] = None
     direction: Literal["up", "down"] | None = None
-    times: Annotated[Count, Meta(description="How often it happens in the run; any other number fails")] = 1
-    pick: Annotated[Count, Meta(description="Which of them is meant")] = 1
+    times: Annotated[
+        Count, Meta(description="Number of times that it happens in the run; any other number fails")
+    ] = 1
+    pick: Annotated[Count, Meta(description="Number of the one to measure")] = 1
 
 
 class Tolerance(Table, frozen=True):
-    """|value - target| <= absolute + relative |target|, and why that is right."""
+    """Tolerance |value - target| <= absolute + relative |target|, and its reason."""
 
     because: Text
     relative: NotNegative = 0.0
@@ -114,7 +116,7 @@ class Tolerance(Table, frozen=True):
 
 
 class Result(Table, frozen=True):
-    """A row of the manual's table: what is measured at an event, and what theory says."""
+    """A row of the table of results: a channel measured at an event, and its target by theory."""
 
     key: Name
     label: Text
@@ -126,39 +128,39 @@ class Result(Table, frozen=True):
 
 
 class Budget(Table, frozen=True):
-    """A line of the error budget: how far one cause can move the results, as fractions of their targets."""
+    """A line of the error budget: the largest error by one cause, as fractions of the targets."""
 
     source: Text
     because: Text
     relative: dict[
         Name,
         Annotated[
-            float | Formula, Meta(description="By key of the result; in its unit where its target is zero")
+            float | Formula, Meta(description="By key of the result; in its unit if the target is zero")
         ],
     ]
 
 
 class Published(Table, frozen=True):
-    """A column of values printed elsewhere, shown beside ours and never gated on."""
+    """A column of published values, shown for comparison; it does not change the verdict."""
 
     name: Text
     source: Text
     kind: Annotated[
-        Literal["target", "computed"], Meta(description="What theory gave, or what a solver gave")
+        Literal["target", "computed"], Meta(description="Whether theory or a solver gave the values")
     ]
     values: Annotated[dict[Name, Text], Meta(description="By key of the result, with the digits as printed")]
     errors_percent: dict[Name, float] = {}
     interval: Annotated[
-        Positive | None, Meta(description="Spacing of the states from which the column seems to be read")
+        Positive | None, Meta(description="Interval of the states from which the column seems to be read")
     ] = None
     exactly_at: Annotated[
-        dict[Name, float], Meta(description="Results that fit a reading at exactly this time instead, by key")
+        dict[Name, float], Meta(description="Results that agree with a reading at exactly this time, by key")
     ] = {}
     remark: str = ""
 
 
 class Fault(Table, frozen=True):
-    """A change of the deck alone that must fail the case: it shows that a pass means something."""
+    """A change of the deck alone that must fail the case."""
 
     text: Text
     change: Annotated[dict[Name, str], Meta(description='By given datum: "+1 %", "-0.1 %", or "=2.0"')]
@@ -166,17 +168,18 @@ class Fault(Table, frozen=True):
 
 
 class Deck(Table, frozen=True):
-    """The deck, and how the given data set its parameters."""
+    """The deck, with the formulas of its parameters."""
 
     file: Annotated[
         Text,
-        Meta(description="The deck, or with the suffix .j2 a template that knows the names of `mesh`"),
+        Meta(description="The deck, or a template with the suffix .j2 that uses the names of `mesh`"),
     ] = "deck.k"
     parameters: Annotated[
-        dict[Name, Formula], Meta(description="*PARAMETER of the deck, as a formula over data and theory")
+        dict[Name, Formula], Meta(description="Each *PARAMETER of the deck, as a formula of data and theory")
     ] = {}
     mesh: Annotated[
-        dict[Name, Formula], Meta(description="What the template of the deck makes its mesh of, by name")
+        dict[Name, Formula],
+        Meta(description="Mesh parameters of the template, as formulas of data and theory"),
     ] = {}
     include_outside: Annotated[
         bool, Meta(description="Whether *INCLUDE may name files outside the deck's folder")
@@ -184,26 +187,26 @@ class Deck(Table, frozen=True):
 
 
 class Converge(Table, frozen=True):
-    """What is refined to see the order of accuracy: levels N, from coarse to fine, and the data that follow."""
+    """A refinement for the order of accuracy: levels N from coarse to fine, and the data of each level."""
 
     refined: Literal["time step", "mesh", "both"]
     levels: Annotated[
-        list[Positive], Meta(min_length=3, description="Values of N, such as numbers of elements, rising")
+        list[Positive], Meta(min_length=3, description="Increasing values of N, such as numbers of elements")
     ]
-    size: Annotated[Formula, Meta(description="The step or element size that N stands for")]
+    size: Annotated[Formula, Meta(description="The time step or element size of the level N")]
     set: Annotated[
         dict[Name, Formula], Meta(min_length=1, description="Given data at each level, as formulas of N")
     ]
     orders: Annotated[
         dict[Name, Positive],
-        Meta(min_length=1, description="The order that theory promises, by key of the result"),
+        Meta(min_length=1, description="The order that theory expects, by key of the result"),
     ]
-    because: Annotated[Text, Meta(description="Why theory promises these orders")]
-    held: Annotated[str, Meta(description="What stays the same from level to level, and why it must")] = ""
+    because: Annotated[Text, Meta(description="Why theory expects these orders")]
+    held: Annotated[str, Meta(description="What is held constant on all levels, and why")] = ""
 
 
 class Within(Table, frozen=True):
-    """A constraint on swept data: a formula of them that must lie between two plain numbers."""
+    """A constraint on the data of a sweep: a formula that must be between two plain numbers."""
 
     formula: Formula
     low: float
@@ -212,7 +215,7 @@ class Within(Table, frozen=True):
 
 
 class Sweep(Table, frozen=True):
-    """The region of the given data in which the formulas must hold."""
+    """The region of the given data in which the case must pass."""
 
     ranges: Annotated[
         dict[Name, tuple[float, float]],
@@ -220,13 +223,13 @@ class Sweep(Table, frozen=True):
     ]
     within: list[Within] = []
     set: Annotated[
-        dict[Name, Formula], Meta(description="Given data that follow from those that are swept")
+        dict[Name, Formula], Meta(description="Given data that follow from those of the ranges, as formulas")
     ] = {}
-    points: Annotated[Count, Meta(description="How many, unless the command says otherwise")] = 200
+    points: Annotated[Count, Meta(description="Number of points, unless the command gives another")] = 200
 
 
 class CaseFile(Table, frozen=True):
-    """A verification case: data, theory, what to measure, targets, tolerances, faults."""
+    """A verification case: data, theory, measurements, targets, tolerances, faults."""
 
     title: Text
     reference: Text
@@ -239,20 +242,21 @@ class CaseFile(Table, frozen=True):
     faults: Annotated[list[Fault], Meta(min_length=1)]
     deck: Deck = Deck()
     curves: Annotated[
-        dict[Name, Formula | Line], Meta(description="Theory over time `t`, by the channel that it predicts")
+        dict[Name, Formula | Line], Meta(description="Theory over the time `t`, by channel")
     ] = {}
-    also: Annotated[str, Meta(description="Where else the problem is published")] = ""
+    also: Annotated[str, Meta(description="Other publications of the problem")] = ""
     analysis: list[Text] = []
     elements: list[Text] = []
     tags: list[Text] = []
     kind: Annotated[
-        Literal["analytic", "semi-analytic", "other code", "published"], Meta(description="Of the targets")
+        Literal["analytic", "semi-analytic", "other code", "published"],
+        Meta(description="Origin of the targets"),
     ] = "analytic"
     budget: list[Budget] = []
     published: list[Published] = []
     converge: Converge | None = None
     sweep: Sweep | None = None
-    files: Annotated[list[Text], Meta(description="Further input files to offer beside the deck")] = []
+    files: Annotated[list[Text], Meta(description="Further input files, offered beside the deck")] = []
 
 
 EVENTS = ("at", "onset_of", "end_of", "crossing_of", "minimum_of", "maximum_of")
@@ -272,5 +276,5 @@ OWNERS = (
 
 
 def as_line(line: str | Line) -> Line:
-    """A line of theory written as a bare formula, in full."""
+    """A line of theory; a bare formula becomes a line without text."""
     return line if isinstance(line, Line) else Line(formula=line)

@@ -1,4 +1,4 @@
-"""A new case folder, to fill in."""
+"""A new case folder to fill in."""
 
 from pathlib import Path
 
@@ -8,9 +8,9 @@ BLANK = Path(__file__).parent / "blank"
 
 
 def new(folder: Path) -> list[Path]:
-    """Write case.toml, deck.k and README.md of a case that lacks title, reference and reasons, and runs with them.
+    """Write case.toml, deck.k and README.md of an example; title, reference and reasons are empty.
 
-    The case's id is the folder's name. Raises CaseError where the folder exists, OSError where it cannot be made.
+    The id of the case is the name of the folder. Raises CaseError if the folder exists, OSError if it cannot be made.
     """
     if folder.exists():
         raise CaseError(f"{folder} exists already")

@@ -1,4 +1,4 @@
-"""Read a case folder, and check everything that can be checked without running it."""
+"""Reading of a case folder, with all checks that need no run."""
 
 from pathlib import Path
 
@@ -13,7 +13,7 @@ from vmharness.formula import UnitError, UnitSystem
 
 
 def read(folder: Path) -> Case:
-    """The case in `folder`; raises CaseError that names the file, the table and the entry that is wrong."""
+    """The case in `folder`; raises CaseError with the file, the table and the wrong entry."""
     file = decode(folder / FILE)
     try:
         units = UnitSystem(**{name: value for name, value in asdict(file.units).items() if value})

@@ -1,4 +1,4 @@
-"""Data of a case set to other values, `m=0.4`, or changed by a fault, `+1 %`."""
+"""Data of a case set to other values (`m=0.4`) or changed by a fault (`+1 %`)."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -31,7 +31,7 @@ def parse(settings: Iterable[str]) -> dict[str, float]:
         except ValueError:
             value = float("nan")
         if not name.strip() or not abs(value) < float("inf"):
-            raise SettingError(f"--set {setting}: write NAME=NUMBER, the number in the unit of the case")
+            raise SettingError(f"--set {setting}: write NAME=NUMBER, with the number in the unit of the case")
         if name.strip() in values:
             raise SettingError(f"--set {setting}: {name.strip()} is set twice")
         values[name.strip()] = value
@@ -39,9 +39,9 @@ def parse(settings: Iterable[str]) -> dict[str, float]:
 
 
 def with_settings(case: "Case", settings: Mapping[str, float]) -> "Case":
-    """The case with other data, each in the unit in which the case gives it, and all its numbers evaluated.
+    """The case with other data, each in its unit of the case; all formulas are evaluated.
 
-    Raises CaseError for data that the case does not have, or that leave a target or parameter without a value.
+    Raises CaseError for unknown data, and for data without a value of a target or parameter.
     """
     for name in settings:
         if name not in case.given:
@@ -49,13 +49,13 @@ def with_settings(case: "Case", settings: Mapping[str, float]) -> "Case":
     factor = {name: case.units.factor(case.file.given[name].unit) for name in settings}
     changed = case.with_given({name: value * factor[name] for name, value in settings.items()})
     for name in changed.formulas:
-        if not name.startswith(("curve ", "converge ")):  # these have a value at a time, or a level, only
+        if not name.startswith(("curve ", "converge ")):  # these need a time or a level
             changed.evaluate(name)
     return changed
 
 
 def as_options(settings: Mapping[str, float]) -> str:
-    """The options that set the data again.
+    """The options of the command line that set these data.
 
     >>> as_options({"k": 2000.0, "m": 0.4})
     '--set k=2000 --set m=0.4'
@@ -68,7 +68,7 @@ def _assigned(name: str, value: float) -> str:
 
 
 def label(id: str, settings: Mapping[str, float]) -> str:
-    """The name of a case with other data, as of its folder.
+    """The name of a case with other data, also of its folder.
 
     >>> label("VM-061", {"k": 2000.0, "m": 0.4})
     'VM-061@k=2000,m=0.4'
@@ -77,7 +77,7 @@ def label(id: str, settings: Mapping[str, float]) -> str:
 
 
 def changed_value(value: float, change: str, unit: float) -> float:
-    """`value` after a change such as "+1 %" or "=2.0", the latter in a unit of the size `unit`.
+    """`value` after a change such as "+1 %" or "=2.0"; the latter is in a unit of the size `unit`.
 
     >>> changed_value(200.0, "-0.5 %", 10.0), changed_value(200.0, "=2.0", 10.0)
     (199.0, 20.0)

@@ -1,4 +1,4 @@
-"""A deck as a template: Jinja2, sandboxed, with mesh parameters in place of a mesh."""
+"""Template of a deck: Jinja2 in a sandbox, which makes the mesh from mesh parameters."""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
@@ -10,10 +10,10 @@ SUFFIX = ".j2"
 
 
 def render(path: Path, values: Mapping[str, float], most: float = math.inf) -> str:
-    """The deck that the template makes of `values`; whole numbers are integers there.
+    """The deck that the template makes of `values`; whole numbers become integers.
 
-    Raises CaseError, with the line, for what is wrong with the template or not defined, and where the deck has more
-    than `most` characters.
+    Raises CaseError with the line for an error in the template or an undefined name, and if the deck has more than
+    `most` characters.
     """
     from jinja2 import StrictUndefined, TemplateError, TemplateSyntaxError
     from jinja2.sandbox import SandboxedEnvironment

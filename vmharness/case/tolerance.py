@@ -1,4 +1,4 @@
-"""Whether a tolerance follows from the error budget of its result."""
+"""Tolerances checked against the error budgets of their results."""
 
 from collections.abc import Mapping
 
@@ -8,7 +8,7 @@ from vmharness.compare import Tolerance
 from vmharness.formula import Unit
 from vmharness.round_off import ROUND_OFF
 
-LOOSE = 10.0  # a tolerance above so many budgets accepts what the budget cannot explain
+LOOSE = 10.0  # largest ratio of tolerance to budget that is not doubtful
 
 
 def budget_lines(case: Case) -> list[tuple[Budget, Mapping[str, float]]]:
@@ -41,28 +41,28 @@ def allowed(case: Case, key: str) -> float:
 
 
 def review(case: Case) -> tuple[list[str], list[str]]:
-    """Results whose budget exceeds their tolerance, and those whose tolerance no budget justifies; as sentences.
+    """Sentences on results with a budget above the tolerance, and on results with a tolerance far above the budget.
 
-    The first would fail a solver that is right, the second pass one that is wrong.
+    The first would fail a correct solver, the second would pass a wrong one.
     """
     tight, loose = [], []
     for result in case.file.results:
         key, expected, accepted = result.key, budget(case, result.key), allowed(case, result.key)
         if expected is None:
-            loose.append(f"{key}: no error budget says why the tolerance is {accepted:.2g}")
+            loose.append(f"{key}: no error budget gives a reason for the tolerance, {accepted:.2g}")
         elif expected > accepted:
             tight.append(f"{key}: the error budget, {expected:.2g}, exceeds the tolerance, {accepted:.2g}")
         elif accepted > LOOSE * expected:
             loose.append(
-                f"{key}: the tolerance, {accepted:.2g}, is over {LOOSE:g} times the budget, {expected:.2g}"
+                f"{key}: the tolerance, {accepted:.2g}, is more than {LOOSE:g} times the budget, {expected:.2g}"
             )
     return tight, loose
 
 
 def review_measured(case: Case, errors: Mapping[str, float]) -> list[str]:
-    """Results whose measured error, a fraction of the target by key, is larger than their budget says; as sentences.
+    """Sentences on results with a measured error, a fraction of the target by key, above the error budget.
 
-    Such a result may lie within its tolerance: its error has a cause that the budget does not name.
+    Such a result may pass, but its error has a cause that the budget does not name.
     """
     budgets = {key: budget(case, key) for key in errors}
     return [

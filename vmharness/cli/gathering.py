@@ -1,4 +1,4 @@
-"""Variants run for a study: progress on a terminal, and how many outcomes came from disk."""
+"""Variants of a study run with a progress bar, and the record of the study written."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -22,9 +22,9 @@ def gathered(
     plant: "Plant | None" = None,
     workers: "Pool | None" = None,
 ) -> list["Measured"]:
-    """The outcome of every variant, in their order, while a terminal shows how far `what` is.
+    """The outcome of every variant, in order; a terminal shows the progress of the study `what`.
 
-    An interrupt is passed on, once it is said that what is done is kept.
+    An interrupt is passed on after a message: outcomes so far are kept.
     """
     from vmharness.execution.message import Progress
     from vmharness.studies.gather import gather
@@ -40,9 +40,7 @@ def gathered(
                 elif isinstance(event, Progress):
                     bar(number, event.fraction)
     except KeyboardInterrupt:
-        complain(
-            f"{len(found)} of {len(variants)} runs are done and kept; the same command goes on from there"
-        )
+        complain(f"{len(found)} of {len(variants)} runs are done and kept; repeat the command to continue")
         raise
     cached = sum(outcome.cached for outcome in found.values())
     say(f"{what}: {len(variants)} runs" + (f", {cached} of them from cache" if cached else ""))
@@ -50,11 +48,11 @@ def gathered(
 
 
 def write_record(root: Path, case: str, name: str, record: Any, json: Path | None) -> None:
-    """Leave the record of a study for the page of the case, and write the same where --json asks for it."""
+    """Write the record of a study beside the page of the case, and to the file of --json."""
     from vmharness.execution import atomic
     from vmharness.report import records
 
     path = records.write(root, case, name, record)
     if json is not None:
         atomic.write(json, path.read_text(encoding="utf-8"))
-    say(f"{path}: `vm run {case}` shows it on the page")
+    say(f"{path} is written; `vm run {case}` adds it to the page")

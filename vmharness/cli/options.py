@@ -1,4 +1,4 @@
-"""Options of a run, checked where they are read; nothing of the solvers or reports is imported for that."""
+"""Options of a run, with their checks; solvers and reports are not imported for them."""
 
 import functools
 import os
@@ -22,7 +22,7 @@ FOLDER = click.Path(file_okay=False, path_type=Path)
 
 @dataclass(frozen=True)
 class How:
-    """In how many processes, how long at most each, by which solver the variants of a study are run."""
+    """How the variants of a study are run: number of processes, time limit, solver."""
 
     jobs: int = 1
     timeout: float = TIMEOUT
@@ -37,37 +37,37 @@ def running(command: Command) -> Command:
         multiple=True,
         metavar="NAME=VALUE",
         callback=_data,
-        help="Other data, for theory and deck; reports go to runs/.",
+        help="Change a datum in theory and deck; reports go to runs/.",
     )
     for option in (
         _timeout(),
         data,
         solver_option(),
-        _jobs_option("1", "Worker processes; auto: one a core."),
+        _jobs_option("1", "Number of worker processes, or auto: one for each core."),
     ):
         command = option(command)
     return command
 
 
 def studying(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Add -j, --solver and --timeout, which come as one `how`, and --out and --json."""
+    """Add -j, --solver and --timeout, joined as `how`, and --out and --json."""
 
     @functools.wraps(command)
     def together(jobs: int, timeout: float, solver: str, **others: Any) -> Any:
         return command(how=How(jobs, timeout, solver), **others)
 
     options = (
-        click.option("--json", type=FILE, metavar="FILE", help="Write what is found as JSON, too."),
+        click.option("--json", type=FILE, metavar="FILE", help="Also write the record as JSON."),
         click.option(
             "--out",
             type=FOLDER,
             default=Path("reports"),
             metavar="DIR",
-            help="Folder of the reports.  [default: reports]",
+            help="Folder for the reports.  [default: reports]",
         ),
         _timeout(),
         solver_option(),
-        _jobs_option("auto", "Worker processes.  [default: one a core]"),
+        _jobs_option("auto", "Number of worker processes.  [default: one for each core]"),
     )
     for option in options:
         together = option(together)
@@ -80,14 +80,18 @@ def _timeout() -> Callable[[Command], Command]:
         type=click.FloatRange(0, min_open=True),
         default=TIMEOUT,
         metavar="SECONDS",
-        help=f"Time limit of a case.  [default: {TIMEOUT:g}]",
+        help=f"Time limit for each case.  [default: {TIMEOUT:g}]",
     )
 
 
 def solver_option() -> Callable[[Command], Command]:
     """Add --solver."""
     return click.option(
-        "--solver", default=SOLVER, metavar="NAME", callback=_solver, help=f"[default: {SOLVER}]"
+        "--solver",
+        default=SOLVER,
+        metavar="NAME",
+        callback=_solver,
+        help=f"Solver that runs the decks.  [default: {SOLVER}]",
     )
 
 
@@ -96,7 +100,7 @@ def _jobs_option(default: str, help: str) -> Callable[[Command], Command]:
 
 
 def formats(command: Command) -> Command:
-    """Add an option --FORMAT FILE for each format for machines; `files` then tells which were given."""
+    """Add an option --FORMAT FILE for each export format; `files` returns those that were given."""
     for name in reversed(_folder("report/exports")):
         command = click.option(
             f"--{name}",
@@ -104,13 +108,13 @@ def formats(command: Command) -> Command:
             metavar="FILE",
             expose_value=False,
             callback=_remember,
-            help=f"Write the results as {name.upper()}, too.",
+            help=f"Also write the results as {name.upper()}.",
         )(command)
     return command
 
 
 def files(ctx: click.Context) -> dict[str, Path]:
-    """Which formats are to be written, and where to."""
+    """The file to write for each export format that was given."""
     return {name: path for name, path in ctx.meta.items() if name in _folder("report/exports")}
 
 
@@ -118,7 +122,7 @@ def _jobs(ctx: click.Context, parameter: click.Parameter, value: str) -> int:
     if value in ("auto", "0"):
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     if not value.isdecimal():
-        raise click.BadParameter(f"{value} is neither a number of workers nor auto")
+        raise click.BadParameter(f"{value} is not a number of workers; write a number, or auto")
     return int(value)
 
 
@@ -145,6 +149,6 @@ def _remember(ctx: click.Context, parameter: click.Parameter, value: Path | None
 
 
 def _folder(path: str) -> list[str]:
-    """Names in a drop-in folder of the package, found without importing what lies around it."""
+    """The modules of a folder of drop-ins, by name, without an import of the package around it."""
     modules = iter_modules([str(Path(vmharness.__file__).parent / path)])
     return sorted(module.name.replace("_", "-") for module in modules)

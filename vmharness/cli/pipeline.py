@@ -1,4 +1,4 @@
-"""Selected cases through solver, comparison and reports; what goes wrong with one stops no other."""
+"""Run the selected cases and write their reports; an error in one case does not stop the others."""
 
 import contextlib
 from collections.abc import Callable, Mapping, Sequence
@@ -17,15 +17,15 @@ from vmharness.suite.judge import judged, solving
 from vmharness.suite.outcome import Outcome, Status, Unwritten
 from vmharness.suite.select import Entry
 
-NOT_REACHED = "interrupted before it was done"
+NOT_REACHED = "interrupted before it was finished"
 
 
 @dataclass(frozen=True)
 class Wanted:
-    """What is to be done with the cases."""
+    """The options of a run."""
 
     solver: str
-    data: Mapping[str, float]  # other data than the cases', in their units
+    data: Mapping[str, float]  # data to set, in the units of the cases
     jobs: int
     timeout: float
     root: Path  # of the reports
@@ -34,19 +34,19 @@ class Wanted:
     files: Mapping[str, Path]  # for machines, by format
 
     def name(self, id: str) -> str:
-        """The case's name in the reports: with other data one that says so, so as not to stand over the manual's."""
+        """The name of the case in the reports; with other data it names them, to leave the page of the manual alone."""
         return settings.label(id, self.data) if self.data else id
 
 
 def run_cases(found: Sequence[Entry], wanted: Wanted) -> tuple[list[Outcome], list[Unwritten]]:
-    """What becomes of every case: solved in a worker, judged, its page written. Ctrl-C leaves what is done.
+    """Solve every case in a worker, judge it and write its page; an interrupt keeps the cases so far.
 
-    Returns that, and which pages could not be written.
+    Returns the outcomes, and the pages that could not be written.
     """
     unwritten: list[Unwritten] = []
     with Pool(
         min(wanted.jobs, len(found)), solving, wanted.solver
-    ) as pool:  # they start while cases are read
+    ) as pool:  # workers start while cases are read
         cases, outcomes = read_cases(found, wanted.data)
         _say_notice(wanted.solver)
         if wanted.report:
@@ -59,7 +59,7 @@ def run_cases(found: Sequence[Entry], wanted: Wanted) -> tuple[list[Outcome], li
                 if len(cases) > 1:
                     say(f"{outcome.id}: {outcome.status}")
         except KeyboardInterrupt:
-            complain("interrupted; what is done is kept, and --lf runs the rest")
+            complain("interrupted; finished cases are kept, and `vm run --lf` runs the rest")
             done = {outcome.id for outcome in outcomes}
             outcomes += [
                 Outcome(case.id, Status.NOT_RUN, NOT_REACHED) for case in cases if case.id not in done
@@ -68,7 +68,7 @@ def run_cases(found: Sequence[Entry], wanted: Wanted) -> tuple[list[Outcome], li
 
 
 def write_files(outcomes: Sequence[Outcome], wanted: Wanted) -> list[Unwritten]:
-    """Write the index, the formats for machines, and what --lf needs; returns what could not be written."""
+    """Write the index, the exports and the record for --lf; returns the files that could not be written."""
     from vmharness import report
     from vmharness.result import Unrun
 

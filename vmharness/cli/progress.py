@@ -1,4 +1,4 @@
-"""Progress bars on a terminal; elsewhere nothing is shown."""
+"""Progress bars, on a terminal only."""
 
 import sys
 from collections.abc import Iterable, Iterator, Sequence
@@ -32,14 +32,14 @@ def case_bars(events: Iterable[tuple[int, Message | Outcome]], names: Sequence[s
 
 
 class Advance(Protocol):
-    """Show that a variant is done to a fraction."""
+    """Set the fraction of a variant that is done."""
 
     def __call__(self, number: int, fraction: float) -> None: ...
 
 
 @contextmanager
 def study_bar(study: str, count: int) -> Iterator[Advance]:
-    """One bar for all variants of a study; what it yields moves it."""
+    """One bar for all variants of a study; yields the function that advances it."""
     if not sys.stdout.isatty():
         yield lambda number, fraction: None
         return

@@ -1,4 +1,4 @@
-"""Reports of a run, written so that what goes wrong with one is said, and stops nothing else."""
+"""Reports of a run; an error in one is reported and does not stop the others."""
 
 import contextlib
 import traceback
@@ -24,10 +24,10 @@ NEEDED = (
 
 
 def get_ready() -> None:
-    """Import what writing reports needs, beside the solver: that takes about as long as a short case."""
+    """Import the packages for reports in a thread, which takes about as long as a short case."""
 
     def load() -> None:
-        with contextlib.suppress(Exception):  # is imported again, and complained about, where it is used
+        with contextlib.suppress(Exception):  # an error shows where the module is used
             for module in NEEDED:
                 import_module(module)
 
@@ -35,14 +35,14 @@ def get_ready() -> None:
 
 
 def write_page(run: "CaseRun", root: Path, name: str, indexed: bool) -> None:
-    """Write the pages of a case to `root`/`name`; `indexed` if an index will follow."""
+    """Write the pages of a case to `root`/`name`; `indexed`: an index follows."""
     from vmharness import report
 
     report.write_case(replace(run, case=replace(run.case, id=name)), root, indexed=indexed)
 
 
 def write_file(format: str, runs: list["CaseRun"], unrun: Sequence["Unrun"], path: Path) -> None:
-    """Write all runs, and the cases without one, in a format for machines."""
+    """Write all runs, and the cases without a run, in an export format."""
     from vmharness import report
     from vmharness.execution import atomic
 
@@ -50,7 +50,7 @@ def write_file(format: str, runs: list["CaseRun"], unrun: Sequence["Unrun"], pat
 
 
 def attempted(what: str, write: Callable[[], object]) -> list[Unwritten]:
-    """Do `write`; nothing, or where that fails what is then not written."""
+    """Call `write`; returns the file that is not written if that fails, else nothing."""
     try:
         write()
     except OSError as error:

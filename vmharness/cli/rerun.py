@@ -10,7 +10,7 @@ from vmharness.suite.select import Entry
 
 
 def rerun_commands(found: Sequence[Entry], options: Mapping[str, Any]) -> dict[str, str]:
-    """The command for each case by its id, with the options that change a result; a case named by path stays so.
+    """The command for each case by its id, with the options that change a result; a case given by path keeps it.
 
     >>> rerun_commands([Entry(Path("/x/VM-061"))], {"cases": Path("/x"), "data": {"m": 0.4}})
     {'VM-061': 'vm run VM-061 --cases /x --set m=0.4'}

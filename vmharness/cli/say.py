@@ -1,4 +1,4 @@
-"""Output: lines to whoever reads, also when that one has gone (`vm list | head -1`)."""
+"""Output of the command line; a closed pipe (`vm list | head -1`) is no error."""
 
 import os
 import sys
@@ -16,7 +16,7 @@ RIGHT = {"Target", "Computed", "Value", "Cycles", "Seconds"} | {
 
 
 def say(text: str) -> None:
-    """Print to stdout, at once; once the reader has closed the pipe, to nobody."""
+    """Print a line to stdout at once; a closed pipe is ignored."""
     try:
         sys.stdout.write(text + "\n")
         sys.stdout.flush()
@@ -25,12 +25,12 @@ def say(text: str) -> None:
 
 
 def complain(text: str) -> None:
-    """Print to stderr."""
+    """Print a line to stderr."""
     sys.stderr.write(f"vm: {text}\n")
 
 
 def say_table(table: "Table") -> None:
-    """Print a table, as wide as the terminal; colour is for a terminal only."""
+    """Print a table as wide as the terminal, with colours on a terminal only."""
     from rich.console import Console
 
     console = Console(width=None if sys.stdout.isatty() else WIDTH_OF_A_PIPE)
@@ -41,7 +41,7 @@ def say_table(table: "Table") -> None:
 
 
 def say_rows(rows: "Rows") -> None:
-    """Print a table of a study, as its page has it."""
+    """Print a table of a study as on its page."""
     from rich.box import SIMPLE_HEAD
     from rich.table import Column, Table
 
@@ -56,7 +56,7 @@ def say_rows(rows: "Rows") -> None:
 
 
 def plain_table(first: str, *others: str) -> "Table":
-    """A table with a line under its head, and no other; the first column is never broken."""
+    """An empty table with a line under its head; its first column is never wrapped."""
     from rich.box import SIMPLE_HEAD
     from rich.table import Column, Table
 

@@ -1,4 +1,4 @@
-"""Cases selected by the arguments of a command, and read."""
+"""The cases that the arguments of a command select."""
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -27,10 +27,14 @@ WORDS = click.option(
     "words",
     metavar="EXPR",
     default="",
-    help="Only cases whose id, title or tags contain these words, with and, or, not between them.",
+    help="Only cases whose id, title or tags contain these words; join words by and, or, not.",
 )
 TAGS = click.option(
-    "--tag", "tags", metavar="TAG", multiple=True, help="Only cases with this tag; several: with all of them."
+    "--tag",
+    "tags",
+    metavar="TAG",
+    multiple=True,
+    help="Only cases with this tag; repeat the option for several tags.",
 )
 
 
@@ -44,7 +48,7 @@ def selecting(command: Command) -> Command:
 def selected(
     selectors: tuple[str, ...], cases: Path | None, words: str, tags: tuple[str, ...]
 ) -> tuple[list[Entry], dict[str, str]]:
-    """The cases that are meant, and what is wrong with each selector that means none; says which folder is used."""
+    """The selected cases, and a message for each selector that selects none; prints the folder of the cases."""
     try:
         folder = cases_folder(cases)
         found, unknown = select(folder, selectors, words, tags)
@@ -57,7 +61,7 @@ def selected(
 
 
 def one(selector: str, cases: Path | None) -> "Case":
-    """The case that `selector` names, read; raises CaseError, or UsageError where it means none or several."""
+    """Read the one case that `selector` selects; raises CaseError, or UsageError if it selects none or several."""
     from vmharness.case import read
 
     try:
@@ -67,12 +71,12 @@ def one(selector: str, cases: Path | None) -> "Case":
     for problem in unknown.values():
         raise click.UsageError(problem)
     if len(found) > 1:
-        raise click.UsageError(f"{selector} means {len(found)} cases; name one")
+        raise click.UsageError(f"{selector} selects {len(found)} cases; select one")
     return read(found[0].folder)
 
 
 def read_cases(found: Sequence[Entry], data: Mapping[str, float]) -> tuple[list["Case"], list[Outcome]]:
-    """The cases with their `data` set, and the outcomes of those that cannot be read or set."""
+    """The cases with their `data` set, and the outcomes of the cases that are wrong."""
     from vmharness.case import CaseError, read
     from vmharness.case.settings import with_settings
 

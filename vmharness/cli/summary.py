@@ -1,4 +1,4 @@
-"""What is said at the end of a run: worst news first."""
+"""Summary at the end of a run: failures first."""
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
@@ -12,15 +12,15 @@ if TYPE_CHECKING:
 
     from vmharness.result import CaseRun
 
-COLOURS = {Status.PASS: "green", Status.FAIL: "red"}  # what is neither is yellow
+COLOURS = {Status.PASS: "green", Status.FAIL: "red"}  # all others are yellow
 
 
 def summarise(
     outcomes: Iterable[Outcome], unwritten: Iterable[Unwritten], again: Mapping[str, str], debug: bool
 ) -> None:
-    """Print the table of cases, then for each that did not pass why, and the line of `again` that runs it.
+    """Print the table of cases, then the reason for each that did not pass, and the command of `again` that runs it.
 
-    What could not be written is said after the cases.
+    Files that could not be written follow.
     """
     ordered = worst_first(outcomes)
     runs = [outcome.run for outcome in ordered if outcome.run is not None]
@@ -39,7 +39,7 @@ def summarise(
 
 
 def _results(run: "CaseRun") -> None:
-    """The manual's table of a case, with the share of its tolerance that each result uses."""
+    """The table of the results of one case, with the share of its tolerance that each result uses."""
     table = plain_table("Result", "Target", "Computed", "Error (%)", "Used (%)", "Verdict")
     for event, rows in run.groups:
         table.add_row(event)
@@ -78,7 +78,7 @@ def _explain(outcome: Outcome, again: Mapping[str, str], debug: bool) -> None:
     if debug and outcome.traceback:
         say(outcome.traceback)
     if outcome.id in again:
-        say(f"  again: {again[outcome.id]}")
+        say(f"  run it again: {again[outcome.id]}")
 
 
 def _number(value: float | None, form: str) -> str:

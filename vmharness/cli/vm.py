@@ -1,4 +1,4 @@
-"""`vm`: its commands, and the exit code of one; no traceback for what a user can do."""
+"""The command `vm`: its list of commands, and the exit code; wrong input never gives a traceback."""
 
 import difflib
 import shlex
@@ -20,14 +20,14 @@ INTERRUPTED, DEFECT, USAGE = 2, 3, 4
 
 
 class Folder(click.Group):
-    """The commands in the folder: module `run` holds `command`, which is `vm run`."""
+    """The commands of the folder `commands`: `command` of the module `run` is `vm run`."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        """Names of the commands."""
+        """The names of the commands."""
         return plugins.names(COMMANDS)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """The command of that name; UsageError with near names where there is none."""
+        """The command of that name; raises UsageError with similar names if there is none."""
         names = self.list_commands(ctx)
         if cmd_name not in names:
             near = difflib.get_close_matches(cmd_name, names, n=2)
@@ -39,20 +39,20 @@ class Folder(click.Group):
 
 @click.group(cls=Folder, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="vmharness", prog_name="vm", message="vmharness %(version)s")
-@click.option("--debug", is_flag=True, help="Show where a defect of the harness lies.")
+@click.option("--debug", is_flag=True, help="Show the traceback of a defect of vmharness.")
 def vm(debug: bool) -> None:
-    """Run verification cases of explicit dynamics: deck in, judged results and manual page out.
+    """Run verification cases of explicit dynamics, and write their pages of the manual.
 
-    Exit codes: 0 all pass; 1 a result is out of tolerance; 2 interrupted; 3 defect in the harness;
+    Exit codes: 0 all pass; 1 a result is out of tolerance; 2 interrupted; 3 defect of vmharness;
     4 usage or case error; 5 nothing selected; 6 could not be judged.
     """
 
 
 def guarded(arguments: Sequence[str] | None) -> int:
-    """The exit code of the command with these arguments (those of the process, without any)."""
+    """Run a command and return its exit code; None stands for the arguments of the process."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     collect_rarely()
-    signal.signal(signal.SIGTERM, signal.default_int_handler)  # to be asked to end is to be interrupted
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # a request to end is an interrupt
     try:
         code = vm.main(given, prog_name="vm", standalone_mode=False)
         return int(code or 0)

@@ -163,7 +163,7 @@ def _histories(run: CaseRun, solver: str) -> list[Figure]:
 def _history(run: CaseRun, together: list[Curve], solver: str) -> Figure:
     name = "-".join(["history", *(curve.channel for curve in together)])
     quantity = histories.quantity(run, together)
-    caption = f"{quantity} over time: {solver} (lines), theory (hollow marks), and their difference"
+    caption = f"{quantity} over time: {solver} (lines) and theory (hollow marks); below, their difference"
     if any(curve.allowed for curve in together):
-        caption += ", with the tolerances of the results at their events"
+        caption += " and the tolerance of each result at its event"
     return Figure(name, caption, histories.draw(run, name, together, solver))

@@ -1,6 +1,6 @@
-"""Published columns: how far each is from theory, and where that comes from, in one section a column.
+"""Published columns: the error of each and its source, in one section a column.
 
-What the case declares of a column is tried on the history of every run; what `vm explain` found follows.
+The reading that the case declares is applied to the history of every run; the findings of `vm explain` follow.
 """
 
 from collections.abc import Mapping
@@ -14,7 +14,7 @@ from vmharness.result import CaseRun, Reading
 
 
 def sections(run: CaseRun, explained: Mapping[str, Section]) -> dict[str, Section]:
-    """A section for each column that this run is read as, or that is `explained`, by name of the column."""
+    """A section for each column with a declared reading or with findings in `explained`, by name of the column."""
     return {
         column.name: _section(run, column, explained.get(column.name, Section("", "")))
         for column in run.case.published
@@ -26,35 +26,42 @@ def _section(run: CaseRun, column: Published, explained: Section) -> Section:
     read = run.readings.get(column.name, ())
     return replace(
         explained,
-        title=f"Where the published difference comes from: {column.name}",
+        title=f"Source of the published difference: {column.name}",
         text=[*([_read(run, column, read)] if read else []), *explained.text, *filter(None, [column.remark])],
         tables=[*([_table(run, column, read)] if read else []), *explained.tables],
     )
 
 
 def _read(run: CaseRun, column: Published, read: tuple[Reading, ...]) -> str:
-    """How the column seems to have been read, and how much of it that accounts for."""
+    """The reading that the case declares for a column, and how many figures it gives."""
     rest = [_name(run, reading) for reading in read if not reading.same]
     time = run.case.file.units.time
     text = (
-        f"The {column.name} column reads as if it were taken from states {number.short(column.interval)} {time} "
-        "apart, each the last cycle not after its nominal time: for an onset the first state with contact, for an "
-        "extremum the outermost state, without interpolation. "
+        f"The {column.name} column agrees with values that are read from states {number.short(column.interval)} {time} "
+        "apart. Each state is the last cycle up to its nominal time. An onset is the first state with contact, and an "
+        "extremum is the state with the largest or smallest value; nothing is interpolated. "
     )
     if not rest:
-        return text + f"Read this way, this run prints all {len(read)} figures of the {column.name} column."
+        return text + f"Read in this way, this run gives all {len(read)} figures of the {column.name} column."
     return text + (
-        f"Read this way, this run prints {len(read) - len(rest)} of the {len(read)} figures of the {column.name} "
-        "column; their distance from theory comes from the reading, not from a solver. "
-        f"Not explained by it: {', '.join(rest)}."
+        f"Read in this way, this run gives {len(read) - len(rest)} of the {len(read)} figures of the {column.name} "
+        "column. The distance of these figures from theory comes from the reading, not from a solver. "
+        f"The reading does not explain: {', '.join(rest)}."
     )
 
 
 def _table(run: CaseRun, column: Published, read: tuple[Reading, ...]) -> Table:
-    """Each figure beside the history of this run, read the same way."""
+    """Each figure beside the value of this run, read in the same way."""
     time = run.case.file.units.time
-    head = ["Result", "Target", column.name, "Its error (%)", "This run, so read", f"At time ({time})"]
-    return Table([*head, "Same figures?"], [_row(run, reading) for reading in read], words=1)
+    head = [
+        "Result",
+        "Target",
+        column.name,
+        "Error (%)",
+        "This run, read in the same way",
+        f"Time of the state ({time})",
+    ]
+    return Table([*head, "Same digits?"], [_row(run, reading) for reading in read], words=1)
 
 
 def _row(run: CaseRun, reading: Reading) -> list[str]:
@@ -62,7 +69,8 @@ def _row(run: CaseRun, reading: Reading) -> list[str]:
     same = _yes(reading.same)
     if reading.other:
         at, value = reading.other
-        same += f"; at {number.short(at)} it is {number.significant(value)}: {_yes(reading.other_same)}"
+        time = f"{number.short(at)} {run.case.file.units.time}"
+        same += f"; at exactly {time}: {number.significant(value)}, {_yes(reading.other_same)}"
     return [
         f"{_name(run, reading)} ({unit(reading.unit)})" if reading.unit else _name(run, reading),
         number.significant(reading.target),

@@ -16,7 +16,7 @@ from vmharness.report.blocks import Section
 from vmharness.round_off import rounded
 from vmharness.studies.maker import Maker
 
-OLD = "The case was changed after this study: it is of an earlier state."
+OLD = "The case was changed after this study, which describes the earlier case."
 STUDIES = "vmharness.report.sections"
 FOLDER = "studies"
 DIGITS = 10  # of a number in a record
@@ -25,35 +25,35 @@ HASH = 8  # digits of a hash that are shown
 
 @dataclass(frozen=True)
 class Stamp:
-    """What every record says, whichever study left it."""
+    """The entries that the record of every study has."""
 
     case_sha256: str | None = None  # of the inputs of the case
     made_by: Maker | None = None
 
     @property
     def says(self) -> str:
-        """What made it, as a sentence.
+        """The solver and the sources that made the record, as a sentence.
 
         >>> Stamp(made_by=Maker("vmharness 0.1.0", "3f2a9c1d" + 56 * "0")).says
         'Made by vmharness 0.1.0, sources 3f2a9c1d.'
         """
         if self.made_by is None:
-            return "What made it is not recorded."
+            return "The record does not name the solver and the sources that made it."
         return f"Made by {self.made_by.solver or 'no solver'}, sources {self.made_by.sources[:HASH]}."
 
 
 @dataclass(frozen=True)
 class Studies:
-    """All that studies say on a page: sections of their own, and what they found of published columns, by name."""
+    """The studies on a page: their own sections, and their findings on published columns by name."""
 
     sections: Sequence[Section] = ()
     columns: Mapping[str, Section] = field(default_factory=dict)
 
 
 def write(root: Path, case: str, name: str, record: Any) -> Path:
-    """Leave the record of a study (a dataclass) for the page of a case; the same record makes the same bytes.
+    """Write the record of a study (a dataclass) beside the page of a case; equal records give equal bytes.
 
-    Its numbers are written to so many DIGITS: those behind differ from machine to machine.
+    Numbers are rounded to DIGITS digits, because further digits differ from machine to machine.
     """
     content = msgspec.json.format(msgspec.json.encode(_stable(msgspec.to_builtins(record))), indent=1)
     return atomic.write(root / case / FOLDER / f"{name}.json", content.decode() + "\n")
@@ -72,9 +72,9 @@ def _stable(content: Any) -> Any:
 
 
 def studies(case: Case, folder: Path) -> Studies:
-    """What the studies left in `folder`, where the page of the case lies; nothing for other data than the case's.
+    """The sections of all studies with a record in `folder`, beside the page; none if the data are not the case's.
 
-    A record that cannot be read, because it is of another version, is left out.
+    A record of another version, which cannot be read, is left out.
     """
     found: list[Section] = []
     columns: dict[str, Section] = {}
@@ -91,7 +91,7 @@ def studies(case: Case, folder: Path) -> Studies:
 
 
 def summaries(case: Case, folder: Path) -> list[str]:
-    """What each study found, in a few words; nothing is drawn."""
+    """The finding of each study in a few words, without drawings."""
     found = []
     for study, content in _records(case, folder):
         with contextlib.suppress(msgspec.MsgspecError):
@@ -100,7 +100,7 @@ def summaries(case: Case, folder: Path) -> list[str]:
 
 
 def _records(case: Case, folder: Path) -> Iterator[tuple[ModuleType, bytes]]:
-    """The record of each study that left one, with the module that knows it."""
+    """The record of each study that has one, with the module that makes a section of it."""
     for name in [] if case.changed else plugins.names(STUDIES):
         path = folder / FOLDER / f"{name}.json"
         if path.is_file():
@@ -108,7 +108,7 @@ def _records(case: Case, folder: Path) -> Iterator[tuple[ModuleType, bytes]]:
 
 
 def _stamped(section: Section, content: bytes, case: Case) -> Section:
-    """With what made the record, and whether the case or its deck has changed since."""
+    """The section with the maker of its record, and a warning if the case or its deck has changed since."""
     stamp = msgspec.json.decode(content, type=Stamp)
     if stamp.case_sha256 not in (None, case.inputs_sha256):
         section = replace(section, text=[OLD, *section.text])
@@ -116,9 +116,9 @@ def _stamped(section: Section, content: bytes, case: Case) -> Section:
 
 
 def stale(studies: Path, case_sha256: str, sources: str) -> list[str]:
-    """Of the records in a folder those that are not of this case and of these `sources`: a sentence for each reason.
+    """Sentences on the records in a folder that other sources or another state of the case made.
 
-    `case_sha256` is of the inputs of the case.
+    `case_sha256` is the hash of the inputs of the case, `sources` that of the solver.
     """
     found: dict[str, list[str]] = {}
     for path in sorted(studies.glob("*.json")):
@@ -132,10 +132,10 @@ def _reasons(path: Path, case_sha256: str, sources: str) -> list[str]:
         stamp = msgspec.json.decode(path.read_bytes(), type=Stamp)
     except (OSError, msgspec.MsgspecError):
         return ["the record cannot be read"]
-    reasons = [] if stamp.case_sha256 == case_sha256 else ["the case was changed after it"]
+    reasons = [] if stamp.case_sha256 == case_sha256 else ["the case was changed after the study"]
     if stamp.made_by is None:
-        reasons.append("what made it is not recorded")
+        reasons.append("the record does not name the sources that made it")
     elif stamp.made_by.sources != sources:
         made, now = stamp.made_by.sources[:HASH], sources[:HASH]
-        reasons.append(f"made by sources {made}, which are now {now}")
+        reasons.append(f"made from sources {made}; the sources are now {now}")
     return reasons

@@ -14,7 +14,7 @@ SIGNS = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.ERROR: "!"}
 
 
 def sign(verdict: Verdict) -> str:
-    """The sign alone, for where there is no room."""
+    """The sign alone, where there is no room for a word."""
     return SIGNS[verdict]
 
 
@@ -28,16 +28,16 @@ def badge(verdict: Verdict) -> str:
 
 
 def summary(run: CaseRun) -> str:
-    """What there is to say of a run in one line: the reason if it did not pass, else its thinnest margin."""
+    """One line about a run: the reason if it did not pass, else the largest share of a tolerance."""
     if run.verdict is not Verdict.PASS:
-        return run.reason or "nothing was judged"
+        return run.reason or "no result has a verdict"
     worst = worst_row(run)
-    line = f"All {len(run.rows)} results lie within their tolerances"
+    line = f"All {len(run.rows)} results are within their tolerances"
     if worst is None:
         return f"{line}."
     if worst.used == 0.0:
-        return f"{line}; their distances from theory are round-off."
-    return f"{line}; {worst.key} uses the most of its own, {used(worst)}."
+        return f"{line}. Their differences from theory are round-off."
+    return f"{line}. {worst.key} uses the largest share of its tolerance, {used(worst)}."
 
 
 def used(row: Row | None) -> str:
@@ -50,7 +50,7 @@ def used(row: Row | None) -> str:
 
 
 def changes(page: Page) -> str:
-    """The data that are not the case's own, with those that are."""
+    """The data that were set for this run, with the values of the case."""
     return ", ".join(
         f"{datum.name} = {given(datum.value)} {datum.unit}".strip()
         + f" instead of {given(page.run.case.file.given[datum.name].value)}"
@@ -61,7 +61,7 @@ def changes(page: Page) -> str:
 
 
 def moves(fault: PlantedFault) -> list[tuple[str, str]]:
-    """Each result that must fail, and how far theory says that the fault moves it."""
+    """Each result that must fail, and how far the fault moves it by theory."""
     return [
         (key, f"{decimals(moved.percent)} %, {rounded(moved.tolerances):.0f} × tolerance" if moved else "")
         for key, moved in fault.moves.items()
@@ -69,7 +69,7 @@ def moves(fault: PlantedFault) -> list[tuple[str, str]]:
 
 
 def sensitive(page: Page) -> tuple[dict[str, Mapping[str, Sensitivity]], list[str]]:
-    """The data that move a target or a reading, with what they do; and the names of those that move none."""
+    """The data that change a result, with their sensitivities; and the names of the data that change none."""
     moving = {
         name: of
         for name, of in page.sensitivity.items()
@@ -79,11 +79,11 @@ def sensitive(page: Page) -> tuple[dict[str, Mapping[str, Sensitivity]], list[st
 
 
 def seen(page: Page, datum: str) -> str:
-    """From which error of a datum in the deck on a result fails, and which."""
+    """The smallest error of a datum in the deck that makes a result fail, and that result."""
     smallest = smallest_seen(page.sensitivity[datum])
-    return f"{positional(rounded(smallest[1], DIGITS), 2)} %, by {smallest[0]}" if smallest else DASH
+    return f"{positional(rounded(smallest[1], DIGITS), 2)} % ({smallest[0]})" if smallest else DASH
 
 
 def per_percent(one: Sensitivity) -> str:
-    """By how many percent a target moves per percent of a datum."""
+    """The change of a target in percent if a datum grows by one percent."""
     return positional(None if one.percent is None else round(rounded(one.percent, DIGITS), PLACES), 4)

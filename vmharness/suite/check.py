@@ -58,4 +58,4 @@ def _deck(case: "Case", solver: str) -> list[str]:
 def _with_parameters_set(case: "Case") -> "Case":
     """The case with every parameter that data can set, set: the deck must have it, and as one that can be set."""
     values = {name: case.evaluate(f"parameter {name}") for name in case.file.deck.parameters}
-    return replace(case, planted=values)
+    return replace(case, overrides=values)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from vmharness.deck import Deck
 
 NAME = "vmharness"
-COLD = "compiling the solver's kernels: a first run takes longer, up to a minute"
+COLD = "compiling the kernels of the solver: the first run takes up to a minute longer"
 
 
 def found() -> Found:

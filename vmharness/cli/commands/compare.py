@@ -18,13 +18,13 @@ RUN = click.Path(exists=True, dir_okay=False, path_type=Path)
 @click.command("compare")
 @click.argument("first", metavar="A", type=RUN)
 @click.argument("second", metavar="B", type=RUN)
-@click.option("--all", "every", is_flag=True, help="Show results that are the same to the last digit, too.")
-@click.option("--json", type=FILE, metavar="FILE", help="Write the comparison as JSON, too.")
+@click.option("--all", "every", is_flag=True, help="Also show results that are equal to the last digit.")
+@click.option("--json", type=FILE, metavar="FILE", help="Also write the comparison as JSON.")
 def command(first: Path, second: Path, every: bool, json: Path | None) -> int:
-    """Compare two runs, the files that `vm run --json` wrote.
+    """Compare two runs, given by files of `vm run --json`.
 
-    They may differ in solver, version or machine. It fails where a result of A is missing in B, or has a worse
-    verdict there.
+    They may differ in solver, version or machine. The command fails if a result of A is missing in B, or has a
+    worse verdict there.
     """
     import msgspec
 
@@ -48,9 +48,11 @@ def _read(path: Path) -> "Run":
     try:
         run = msgspec.json.decode(path.read_bytes(), type=Run)
     except (OSError, msgspec.MsgspecError) as error:
-        raise click.UsageError(f"{path}: not what `vm run --json` writes: {error}") from None
+        raise click.UsageError(f"{path}: not a file of `vm run --json`: {error}") from None
     if run.schema != SCHEMA:
-        raise click.UsageError(f"{path}: schema {run.schema}; `vm run --json` writes {SCHEMA} now")
+        raise click.UsageError(
+            f"{path}: schema {run.schema}, but only {SCHEMA} can be read; write the file again with `vm run --json`"
+        )
     return run
 
 
@@ -64,7 +66,7 @@ def _show(runs: list["Run"], found: list["Pair"], every: bool) -> None:
     head = ["Case", "Result", "A", "B", "B - A (%)", "Of tolerance (%)", "Verdict", ""]
     if differing:
         say_rows(Table(head, [_row(pair) for pair in differing], numbers=2))
-    say(f"{len(found) - len(differing)} results are the same, {len(differing)} are shown")
+    say(f"{len(found) - len(differing)} results are equal, {len(differing)} are shown")
     for pair in found:
         if pair.worse:
             complain(f"{pair.case} {pair.key}: {pair.verdicts[0]} in A, {pair.verdicts[1]} in B")

@@ -1,4 +1,4 @@
-"""`vm converge`: what order of accuracy a case shows, and what it converges to."""
+"""`vm converge`: the order of accuracy of a case, and its extrapolated results."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 @CASES
 @studying
 def command(selector: str, cases: Path | None, how: How, out: Path, json: Path | None) -> int:
-    """Refine time step or mesh: observed order, uncertainty.
+    """Refine time step or mesh: order and its uncertainty.
 
-    The case says what is refined. Found are the order of accuracy, the extrapolated value and how far it is open
-    (GCI).
+    The table [converge] of the case says what is refined. The command prints the order of accuracy, the
+    extrapolated value and its uncertainty (grid convergence index, GCI).
 
     ID is an id, or the path of a case folder.
     """
@@ -43,7 +43,7 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
         return EXIT_CODES[Status.UNJUDGED]
     wrong = [result.key for result in found.results if result.agrees is False]
     for key in wrong:
-        say(f"{key}: not of the order that theory promises")
+        say(f"{key}: the order is lower than theory expects")
     return EXIT_CODES[Status.FAIL if wrong else Status.PASS]
 
 

@@ -1,4 +1,4 @@
-"""`vm explain`: where the difference of each result from theory comes from."""
+"""`vm explain`: the causes of the error of each result."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -22,10 +22,10 @@ if TYPE_CHECKING:
 @CASES
 @studying
 def command(selector: str, cases: Path | None, how: How, out: Path, json: Path | None) -> int:
-    """Split value less target of each result, cause by cause.
+    """Split the error of each result into its causes.
 
-    The causes are time step, sampling, mesh, penalty, numbers of the deck, and what is left. For published
-    columns: which reading of states gives their digits.
+    The causes are time step, sampling, rounding of the deck, contact penalty and mesh; the rest is unexplained.
+    For published columns, the command finds the reading of states that gives their digits.
 
     ID is an id, or the path of a case folder.
     """
@@ -56,7 +56,7 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
 
 
 def _columns(case: "Case", how: How) -> "list[Column]":
-    """Published columns, if there are any: the whole history of one more run is needed to read them."""
+    """The published columns explained, if there are any; one more run gives the whole history."""
     from vmharness.execution.message import Done
     from vmharness.execution.pool import Pool
     from vmharness.studies.explain.published import columns

@@ -1,4 +1,4 @@
-"""`vm faults`: which planted faults the cases notice."""
+"""`vm faults`: which planted faults the cases catch."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -28,9 +28,9 @@ def command(
     out: Path,
     json: Path | None,
 ) -> int:
-    """Plant faults, and see which results notice.
+    """Plant faults, one at a time, and see which results fail.
 
-    They are faults of deck, solver and reading, one at a time.
+    The faults are in the deck, in the solver and in the reading of the results.
 
     SELECT is an id, a pattern such as 'VM-0*', or the path of a case folder; without any, all cases are studied.
     """
@@ -55,16 +55,16 @@ def command(
 
 
 def _detections(cases: "list[Case]", how: How) -> "tuple[list[FaultsRecord], int]":
-    """What became of all faults in each case, and how many cases do not even pass without one."""
+    """The record of each case, and the number of cases that do not pass without a fault."""
     from vmharness.studies.faults.plant import plant
-    from vmharness.studies.faults.runs import StudyError, planted, record
+    from vmharness.studies.faults.runs import StudyError, all_faults, record
     from vmharness.studies.variant import Variant
 
     sound = gathered([Variant(case) for case in cases], how, "sound runs")
     plans = []
     for case, outcome in zip(cases, sound, strict=True):
         try:
-            plans.append((case, outcome, planted(case, outcome)))
+            plans.append((case, outcome, all_faults(case, outcome)))
         except StudyError as error:
             complain(str(error))
     variants = [fault.variant for *_, faults in plans for fault in faults]
@@ -76,7 +76,7 @@ def _detections(cases: "list[Case]", how: How) -> "tuple[list[FaultsRecord], int
 
 
 def _show(detections: "list[FaultsRecord]") -> None:
-    """The score of each case with what it misses, then what no case catches."""
+    """Print the score of each case with the faults that it misses, then the faults that no case catches."""
     from vmharness.report.sections.faults import to_do
     from vmharness.studies.faults.record import coverage
 
@@ -86,7 +86,9 @@ def _show(detections: "list[FaultsRecord]") -> None:
         table.add_row(found.case, f"{found.caught} of {found.applicable}", missed)
     say_table(table)
     together = coverage(detections)
-    say(f"faults of the solver: {together.caught} of {len(together.matrix)} are caught by a case here")
+    say(
+        f"faults of the solver: {together.caught} of {len(together.matrix)} are caught by at least one of these cases"
+    )
     for sentence in to_do(together):
         say(f"  {sentence}")
 

@@ -1,4 +1,4 @@
-"""`vm list`: which cases there are."""
+"""`vm list`: the cases of a folder."""
 
 from pathlib import Path
 
@@ -12,7 +12,7 @@ from vmharness.suite.outcome import EXIT_CODES, NOTHING_SELECTED, Status
 @click.command("list")
 @selecting
 def command(selectors: tuple[str, ...], cases: Path | None, words: str, tags: tuple[str, ...]) -> int:
-    """List cases, with what they cover.
+    """List cases with their titles and tags.
 
     SELECT is an id, a pattern such as 'VM-0*', or the path of a case folder.
     """

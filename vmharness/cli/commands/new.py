@@ -1,4 +1,4 @@
-"""`vm new`: a case folder to fill in."""
+"""`vm new`: a new case folder to fill in."""
 
 import re
 from pathlib import Path
@@ -19,10 +19,10 @@ from vmharness.suite.outcome import EXIT_CODES, Status
     help="Folder of case folders.  [default: ./cases]",
 )
 def command(id: str, cases: Path) -> int:
-    """Make a case folder to fill in.
+    """Make a new case folder to fill in.
 
-    It holds a mass in free fall, to put another problem in its place; it runs once title, reference and reasons are
-    filled in.
+    The folder contains a mass in free fall as an example; replace it by your problem. The case runs when its title,
+    reference and reasons are filled in.
 
     ID is its name: letters, digits, dots and hyphens.
     """
@@ -30,7 +30,7 @@ def command(id: str, cases: Path) -> int:
     from vmharness.case.new import new
 
     if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9.-]*", id):
-        raise click.BadParameter(f"{id!r} is no id: letters, digits, dots and hyphens make one")
+        raise click.BadParameter(f"{id!r} is not an id: use letters, digits, dots and hyphens")
     try:
         written = new(cases / id)
     except (CaseError, OSError) as error:
@@ -38,5 +38,7 @@ def command(id: str, cases: Path) -> int:
         return EXIT_CODES[Status.BROKEN]
     for path in written:
         say(str(path))
-    say(f"Fill in what is blank in case.toml; `vm check {id}` says what is left, `vm run {id}` runs it.")
+    say(
+        f"Fill in the empty texts of case.toml; `vm check {id}` shows what is missing, `vm run {id}` runs the case."
+    )
     return 0

@@ -1,4 +1,4 @@
-"""`vm run`: solve, compare, report, gate."""
+"""`vm run`: solve cases, compare them with theory, write the pages."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -19,9 +19,11 @@ REPORTS, RUNS = Path("reports"), Path("runs")
 @click.command("run")
 @selecting
 @options.running
-@click.option("--lf", is_flag=True, help="Only cases that did not pass, or were not reached, when last run.")
-@click.option("--out", type=options.FOLDER, metavar="DIR", help="Folder of the reports.  [default: reports]")
-@click.option("--no-report", is_flag=True, help="Judge only.")
+@click.option(
+    "--lf", is_flag=True, help="Only cases that did not pass, or were not reached, in the last run."
+)
+@click.option("--out", type=options.FOLDER, metavar="DIR", help="Folder for the reports.  [default: reports]")
+@click.option("--no-report", is_flag=True, help="Write no reports.")
 @options.formats
 @click.pass_context
 def command(
@@ -72,12 +74,12 @@ def command(
     if wanted.report:
         _say_where([wanted.name(case.id) for case in found], wanted.root)
         if not wanted.index and (wanted.root / "index.html").is_file():
-            say("the index is of an earlier run; `vm run` without a selection makes it anew")
+            say("the index is from an earlier run; `vm run` without a selection writes it again")
     return exit_code([*(outcome.status for outcome in outcomes), *(file.status for file in unwritten)])
 
 
 def _say_where(names: Sequence[str], root: Path) -> None:
-    """Which file to open."""
+    """Print the file to open."""
     folder = root / names[0] if len(names) == 1 else root
     if folder.is_dir():
         page = folder / "index.html"

@@ -1,4 +1,4 @@
-"""`vm show`: a case on one screen, its theory with numbers."""
+"""`vm show`: a case on one screen."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 def command(selector: str, cases: Path | None) -> int:
     """Show a case: data, theory, deck, tolerances, faults.
 
-    The theory is shown with its values.
+    The theory is shown with its numbers.
 
     ID is an id, or the path of a case folder.
     """
@@ -82,7 +82,7 @@ def _results(case: "Case") -> None:
 
 
 def _faults(case: "Case") -> None:
-    table = plain_table("Planted fault", "Change", "Must fail")
+    table = plain_table("Declared fault", "Change", "Must fail")
     for fault in case.file.faults:
         change = ", ".join(f"{name} {by}" for name, by in fault.change.items())
         table.add_row(fault.text, change, ", ".join(fault.must_fail))

@@ -1,4 +1,4 @@
-"""`vm sweep`: the formulas over a region of the given data, not at one point."""
+"""`vm sweep`: a case run at many points of a region of its data."""
 
 from pathlib import Path
 
@@ -16,11 +16,19 @@ from vmharness.suite.select import Entry
 @click.command("sweep")
 @click.argument("selector", metavar="ID")
 @CASES
-@click.option("-n", "--points", type=click.IntRange(1), metavar="N", help="Points of a Latin hypercube.")
 @click.option(
-    "--seed", type=click.IntRange(0), default=0, metavar="N", help="Of the hypercube.  [default: 0]"
+    "-n", "--points", type=click.IntRange(1), metavar="N", help="Number of points of a Latin hypercube."
 )
-@click.option("--grid", type=click.IntRange(2), metavar="N", help="A grid of N values a datum instead.")
+@click.option(
+    "--seed",
+    type=click.IntRange(0),
+    default=0,
+    metavar="N",
+    help="Seed of the Latin hypercube.  [default: 0]",
+)
+@click.option(
+    "--grid", type=click.IntRange(2), metavar="N", help="Use a grid with N values of each datum instead."
+)
 @studying
 def command(
     selector: str,
@@ -32,9 +40,9 @@ def command(
     out: Path,
     json: Path | None,
 ) -> int:
-    """Run a case with other data, all over a region of them.
+    """Run a case at many points of a region of its data.
 
-    The case declares the region; a point that fails is made simpler for as long as it fails.
+    The table [sweep] of the case declares the region. A point that fails is made as simple as possible.
 
     ID is an id, or the path of a case folder.
     """
@@ -44,7 +52,7 @@ def command(
     from vmharness.studies.sweep import runs as sweep
 
     if points is not None and grid is not None:
-        raise click.UsageError("--points and --grid do not go together")
+        raise click.UsageError("use either --points or --grid, not both")
     try:
         case = one(selector, cases)
         chosen, words = sweep.points(case, points, seed, grid)

@@ -1,4 +1,4 @@
-"""Convergence: what each result does as the case is refined."""
+"""Section on convergence: each result on finer and finer levels."""
 
 import msgspec
 
@@ -11,13 +11,13 @@ from vmharness.studies.converge.richardson import SAFETY, Kind
 REFINED = {
     "time step": "the time step",
     "mesh": "the mesh",
-    "both": "the mesh, and the time step with it",
+    "both": "the mesh and, with it, the time step",
 }
 MEANINGS = {
-    Kind.EXACT: "the same at every level, to round-off",
-    Kind.OSCILLATES: "the differences change sign, so that there is no order",
-    Kind.DIVERGES: "the differences do not fall, so that there is no order",
-    Kind.NOT_ASYMPTOTIC: "the order differs from three levels to the next three, so that none is given",
+    Kind.EXACT: "the value is the same on every level, except for round-off",
+    Kind.OSCILLATES: "the differences between levels change sign, so that there is no order",
+    Kind.DIVERGES: "the differences between levels do not decrease, so that there is no order",
+    Kind.NOT_ASYMPTOTIC: "the order changes from three levels to the next three, so that no order is given",
     Kind.NO_VALUE: "a level gave no value",
 }
 
@@ -35,26 +35,27 @@ def section(content: bytes, case: Case) -> Section:
 
 
 def figures(content: bytes) -> list[Figure]:
-    """Distance from theory over the size."""
+    """The error of each result over the size."""
     from vmharness.report.figures import refinement
 
     found = msgspec.json.decode(content, type=ConvergeRecord)
-    caption = "Distance of the results from theory over the size; dashed: the promised order"
+    caption = "Error of each result over the size; dashed lines: the expected order"
     return [Figure("convergence", caption, refinement.draw(found))]
 
 
 def plan(found: ConvergeRecord) -> str:
-    """What is refined, what is held."""
-    held = f" Held: {found.held}." if found.held else ""
-    return f"Refined: {REFINED[found.refined]}; its size, {found.size}, on {len(found.levels)} levels.{held}"
+    """What is refined, and what is held constant."""
+    held = f" Held constant: {found.held}." if found.held else ""
+    refined = f"{REFINED[found.refined]} is refined on {len(found.levels)} levels; its size is {found.size}."
+    return refined[0].upper() + refined[1:] + held
 
 
 def summary(found: ConvergeRecord) -> str:
-    """The lowest and highest order seen among the promised ones, and whether each is as promised."""
+    """The lowest and the highest order of the results with an expected order, or that one is too low."""
     promised = [result for result in found.results if result.promised is not None]
     orders = [result.found.order for result in promised if result.found.order is not None]
     if any(result.agrees is False for result in promised):
-        return "not of the promised order"
+        return "an order is too low"
     if not orders:
         exact = all(result.found.kind is Kind.EXACT for result in found.results)
         return "exact" if exact else "no order"
@@ -63,15 +64,15 @@ def summary(found: ConvergeRecord) -> str:
 
 
 def tables(found: ConvergeRecord) -> list[Table]:
-    """The value of each result at each level; then what follows from them."""
+    """The value of each result on each level; then its order and its extrapolated value."""
     levels = [f"N = {level.number:g}" for level in found.levels]
     values = [[result.key, *(_digits(value) for value in result.values)] for result in found.results]
-    follows = ["Result", "Order", "Promised", "Extrapolated", "GCI", "Theory", "Inside"]
+    follows = ["Result", "Order", "Expected", "Extrapolated", "GCI", "Theory", "Within GCI"]
     return [Table(["Result", *levels], values), Table(follows, [_row(result) for result in found.results])]
 
 
 def remarks(found: ConvergeRecord) -> list[str]:
-    """What the words in place of an order mean, where they stand, and levels that failed."""
+    """The meaning of each word that stands in place of an order, and the levels that failed."""
     said = []
     for kind, meaning in MEANINGS.items():
         keys = [result.key for result in found.results if result.found.kind is kind]
@@ -82,10 +83,11 @@ def remarks(found: ConvergeRecord) -> list[str]:
 
 def _text(found: ConvergeRecord) -> list[str]:
     return [
-        f"{plan(found)} Promised orders: {found.because}.",
-        "The order is that of the three finest levels, and its uncertainty the largest distance of the order of "
-        "another three in a row. Extrapolated is Richardson's value for a size of zero; GCI is Roache's grid "
-        f"convergence index, with a safety factor of {SAFETY:g}: theory should lie so near what is extrapolated.",
+        f"{plan(found)} Expected orders: {found.because}.",
+        "The order follows from the three finest levels. Its uncertainty (±) is the largest difference from the order "
+        "of any other three successive levels. The extrapolated value is Richardson's for a size of zero. GCI is "
+        f"Roache's grid convergence index with a safety factor of {SAFETY:g}; theory should lie within ± GCI of the "
+        "extrapolated value.",
     ]
 
 

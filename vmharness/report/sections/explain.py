@@ -1,4 +1,4 @@
-"""The difference: each result less its target, cause by cause; published columns likewise."""
+"""Section on the causes of the error of each result, and of published columns."""
 
 from collections.abc import Sequence
 
@@ -12,20 +12,21 @@ from vmharness.report.number import DASH, positional, share
 from vmharness.studies.explain.record import Column, Explained, ExplainRecord
 
 HOW = (
-    "Value less target, in percent of the tolerance, cause by cause: time step and sampling from runs with half and a "
-    "quarter of the step, read at the instants of this one and more finely; the numbers of the deck from a run with "
-    "all those of the data; a penalty from a run with contacts twice as stiff; a mesh from what its refinement "
-    "converges to. What is left is unexplained; ± is what the causes leave open."
+    "The error of each result (value − target) is split into its causes, in percent of the tolerance. Time step and "
+    "sampling are found by runs with a half and a quarter of the time step, which are read at the times of this run "
+    "and at finer times. Rounding of the deck is found by a run whose deck has all digits of the data; the contact "
+    "penalty by a run with contacts twice as stiff; the mesh by the value to which its refinement converges. The rest "
+    "is unexplained. The last column (±) is the sum of the uncertainties of the causes."
 )
 
-SPLIT = "The last table splits its distance from theory into parts."
+SPLIT = "The last table splits the error of each figure into its causes."
 
 
 def section(content: bytes, case: Case) -> Section:
     """The section for the record of `vm explain`."""
     found = msgspec.json.decode(content, type=ExplainRecord)
     return Section(
-        "The difference, cause by cause",
+        "Causes of the error",
         summary(found),
         text=[HOW],
         tables=[_table(found.results, "value")],
@@ -34,14 +35,14 @@ def section(content: bytes, case: Case) -> Section:
 
 
 def figures(content: bytes) -> list[Figure]:
-    """Bars of the parts of the results."""
+    """Bars: the error of each result by cause."""
     found = msgspec.json.decode(content, type=ExplainRecord)
-    caption = "Value less target, cause by cause, in percent of the tolerance; diamonds: the whole difference"
+    caption = "Error of each result by cause, in percent of the tolerance; diamonds: the whole error"
     return [_figure(found.case, "explained", caption, found.results, True)]
 
 
 def columns(content: bytes, case: Case) -> dict[str, Section]:
-    """What was found of each published column; drawn, too, where a solver gave it."""
+    """The findings on each published column, with a drawing if a solver computed it."""
     found = msgspec.json.decode(content, type=ExplainRecord)
     return {
         column.name: Section(
@@ -56,9 +57,9 @@ def columns(content: bytes, case: Case) -> dict[str, Section]:
 
 
 def summary(found: ExplainRecord) -> str:
-    """The largest part that nothing explains, as a share of its tolerance."""
+    """The largest unexplained part of an error, as a share of its tolerance."""
     rest = [_share(one, one.unexplained.value) for one in found.results]
-    return f"{share(max(rest, default=0.0) / 100.0)} of a tolerance unexplained"
+    return f"{share(max(rest, default=0.0) / 100.0)} of a tolerance is unexplained"
 
 
 def tables(found: ExplainRecord) -> list[Table]:
@@ -69,12 +70,12 @@ def tables(found: ExplainRecord) -> list[Table]:
 
 
 def remarks(found: ExplainRecord) -> list[str]:
-    """What was not separated."""
+    """The causes that could not be separated."""
     return [f"{note[0].upper()}{note[1:]}." for note in found.notes]
 
 
 def _table(results: Sequence[Explained], value: str) -> Table:
-    """Parts in percent of the tolerance; of a published column in percent of the target, for it has no tolerance."""
+    """Parts in percent of the tolerance; for a published column, which has none, in percent of the target."""
     causes, own = _causes(results), value == "value"
     head = [f"Result (% of the {'tolerance' if own else 'target'})", f"{value} − target", *causes, "±"]
     return Table(head, [_row(one, causes, own) for one in results])
@@ -88,7 +89,7 @@ def _row(one: Explained, causes: Sequence[str], own: bool) -> list[str]:
 
 
 def _column_figure(case: str, column: Column, number: int) -> Figure:
-    caption = f"{column.name} less target, cause by cause, in percent of the target"
+    caption = f"Error of the {column.name} column by cause, in percent of the target"
     return _figure(case, f"explained-{number}", caption, column.results, False)
 
 
@@ -99,28 +100,29 @@ def _figure(case: str, name: str, caption: str, results: Sequence[Explained], ow
 
 
 def _column_text(column: Column, case: Case) -> str:
-    """What a published column seems to be; what the case says of it itself is not said again."""
+    """The origin of a published column; remarks of the case itself are not repeated."""
     count = f"{len(column.same)} of {len(column.results)} figures"
     if column.kind == "target":
         odd = [one.key for one in column.results if one.key not in column.same]
-        rest = f" Not so: {', '.join(odd)}." if odd else ""
-        return f"{count} are the targets of this case, rounded.{rest}"
+        rest = f" These do not: {', '.join(odd)}." if odd else ""
+        return f"{count} equal the rounded targets of this case.{rest}"
     unit = case.file.units.time
     declared = next(one for one in case.file.published if one.name == column.name)
     also = ", ".join(f"{interval:g} {unit}" for interval in column.also)
     same = declared.interval is not None and column.reading == last_cycles(declared.interval, unit)
-    text = (
-        f"Of all readings tried, {'this one' if same else column.reading} gives most of the column: {count}"
-    )
-    text += f"; {also} gives as many." if also else "."
+    reading = "this one" if same else f"the following one ({column.reading})"
+    text = f"Of all ways of reading that were tried, {reading} gives the most figures of the column: {count}."
+    text += f" An interval of {also} gives as many." if also else ""
     others = [
-        f"{key} fits {reading}." for key, reading in column.others.items() if key not in declared.exactly_at
+        f"{key} agrees with another reading: {reading}."
+        for key, reading in column.others.items()
+        if key not in declared.exactly_at
     ]
     return " ".join([text, *others, SPLIT])
 
 
 def _causes(results: Sequence[Explained]) -> list[str]:
-    """All causes in their order; what is unexplained comes last."""
+    """All causes in their order; the unexplained rest comes last."""
     found = dict.fromkeys(part.cause for one in results for part in one.parts[:-1])
     return [*found, "unexplained"]
 

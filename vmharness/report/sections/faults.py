@@ -1,4 +1,4 @@
-"""Faults: what a case's results noticed of all that was planted."""
+"""Section on planted faults: which of them the results of a case catch."""
 
 import contextlib
 import math
@@ -16,12 +16,12 @@ from vmharness.studies.faults.record import Coverage, FaultsRecord, Finding, Not
 
 FILE = "faults.json"
 SHOWN = 5  # cases that a row names
-HEADS = {"of the other sign": "other sign", "1000 times as large": "1000 ×"}
+HEADS = {"with the opposite sign": "opposite sign", "1000 times as large": "1000 ×"}
 KINDS = {
-    "deck": "in the deck",
-    "physics": "in the solver's physics",
-    "integration": "in its integration in time",
-    "reading": "in what is shown or read of it",
+    "deck": "deck",
+    "physics": "physics of the solver",
+    "integration": "time integration of the solver",
+    "reading": "output, or reading of the results",
 }
 
 
@@ -29,22 +29,23 @@ def section(content: bytes, case: Case) -> Section:
     """The section for the record of `vm faults`."""
     found = msgspec.json.decode(content, type=FaultsRecord)
     text = [
-        f"Of {found.applicable} planted faults that change this run, {found.caught} are caught: a result leaves its "
-        "tolerance, or the solver refuses to go on. Numbers are the largest distance from a target, in tolerances."
+        "Faults are planted in the deck and in the solver, one at a time. "
+        f"Of the {found.applicable} faults that change this run, {found.caught} are caught: a result fails, or the "
+        "solver stops. Each number is the largest error of a result, as a multiple of its tolerance."
     ]
     if found.missed:
-        text.append(f"Not noticed here: {', '.join(finding.fault for finding in found.missed)}.")
+        text.append(f"Not caught in this case: {', '.join(finding.fault for finding in found.missed)}.")
     tables = [table for table in (_parameters(found), _others(found)) if table.rows]
-    return Section("Faults", score(found), text, tables, remarks=_unseen(found))
+    return Section("Planted faults", score(found), text, tables, remarks=_unseen(found))
 
 
 def score(found: FaultsRecord) -> str:
-    """How many of the faults that change anything are caught."""
+    """How many of the faults that change the run are caught."""
     return f"{found.caught} of {found.applicable} faults"
 
 
 def cell(finding: Finding | None) -> str:
-    """What became of a fault, in a word and a number.
+    """Whether a fault is caught, and the largest error in tolerances.
 
     >>> cell(Finding("a", "A", "deck", Noticed.MISSED, "z", 0.34)), cell(None)
     ('✗ 0.34 ×', '–')
@@ -56,7 +57,7 @@ def cell(finding: Finding | None) -> str:
 
 
 def times(share: float | None) -> str:
-    """A distance from a target in tolerances, to two digits.
+    """An error in tolerances, to two digits.
 
     >>> times(0.344), times(7.19), times(23.8e6), times(None)
     ('0.34 ×', '7.2 ×', '2.4e7 ×', 'no result')
@@ -65,9 +66,9 @@ def times(share: float | None) -> str:
 
 
 def manual(cases: Sequence[Case], root: Path) -> Section | None:
-    """What all cases studied notice of the faults of the solver: the matrix, and what none of them catches.
+    """Which faults of the solver the cases catch together, and which none of them catches.
 
-    None where no record of `vm faults` lies beside the pages below `root`.
+    None if no page below `root` has a record of `vm faults`.
     """
     paths = [root / case.id / FOLDER / FILE for case in sorted(cases, key=lambda case: case.id)]
     detections = []
@@ -81,14 +82,14 @@ def together(detections: Sequence[FaultsRecord]) -> Section:
     """The section of the index."""
     found = coverage(detections)
     text = [
-        f"Faults are planted in the solver, one at a time. Of {len(found.matrix)}, {found.caught} are caught by a "
-        "case: a result leaves its tolerance, or there is none, for the solver refuses to go on or an event never "
-        "comes. The case that sees it farthest off is named first."
+        f"Faults are planted in the solver, one at a time. Of {len(found.matrix)} faults, {found.caught} are caught by "
+        "at least one case: a result fails, the solver stops, or an event does not happen. The case with the largest "
+        "error is named first."
     ]
-    head = ["Fault", "Caught by", "Farthest off, in tolerances", "Changes without notice"]
+    head = ["Fault", "Caught by", "Largest error, in tolerances", "Changed, but not caught"]
     rows = [_together(cases) for cases in found.matrix.values()]
     return Section(
-        "What the cases notice",
+        "Faults of the solver that the cases catch",
         f"{found.caught} of {len(found.matrix)}",
         text,
         [Table(head, rows, numbers=len(head))],
@@ -97,7 +98,7 @@ def together(detections: Sequence[FaultsRecord]) -> Section:
 
 
 def _together(cases: Mapping[str, Finding]) -> list[str]:
-    """What became of one fault in all cases."""
+    """One fault in all cases: who catches it, and who does not."""
     shares = {case: math.inf if finding.share is None else finding.share for case, finding in cases.items()}
     far = ordered(shares, lambda case: -shares[case])
     caught = [case for case in far if cases[case].noticed is Noticed.CAUGHT]
@@ -118,18 +119,18 @@ def _some(cases: Sequence[str]) -> str:
 
 
 def to_do(found: Coverage) -> list[str]:
-    """The faults that no case catches, and those of which no case has anything."""
+    """The faults that no case catches, and the faults that change no case."""
     said = [
-        f"No case catches {finding.fault} ({finding.text}); nearest is {finding.by}, "
-        f"at {times(finding.share)} its tolerance."
+        f"No case catches {finding.fault} ({finding.text}). The largest error is that of {finding.by}: "
+        f"{times(finding.share)} its tolerance."
         for finding in found.missed
     ]
     unseen = [finding.fault for finding in found.unseen]
-    return said + ([f"No case has anything of {', '.join(unseen)}."] if unseen else [])
+    return said + ([f"These faults change no case: {', '.join(unseen)}."] if unseen else [])
 
 
 def _parameters(found: FaultsRecord) -> Table:
-    """Deck faults of one parameter: a row a parameter, a column a change."""
+    """Faults of the parameters of the deck: one row a parameter, one column a change."""
     changes: dict[str, dict[str, Finding]] = {}
     for finding in found.findings:
         name, _, how = finding.fault.partition(" ")
@@ -138,7 +139,7 @@ def _parameters(found: FaultsRecord) -> Table:
     columns = list(next(iter(changes.values()), {}))
     rows = [[name, *(cell(row.get(how)) for how in columns)] for name, row in changes.items()]
     heads = [HEADS.get(how, how) for how in columns]
-    return Table(["In the deck", *heads], rows)
+    return Table(["Parameter of the deck", *heads], rows)
 
 
 def _others(found: FaultsRecord) -> Table:
@@ -149,18 +150,22 @@ def _others(found: FaultsRecord) -> Table:
         if finding.noticed not in (Noticed.UNSEEN, Noticed.UNJUDGED)
         and finding.fault.partition(" ")[0] not in shown
     ]
-    return Table(["Fault", "Where", "Caught?", "By"], rows, numbers=4)
+    return Table(["Fault", "Place", "Caught?", "Result, or reason"], rows, numbers=4)
 
 
 def _unseen(found: FaultsRecord) -> list[str]:
-    """Faults of which the case has nothing, and parameters that no result depends on."""
+    """Faults that do not change the run, and parameters of the model whose faults make no result fail."""
     unseen = [finding.fault for finding in found.findings if finding.noticed is Noticed.UNSEEN]
     idle = [
         finding.fault.partition(" ")[0] for finding in found.findings if finding.noticed is Noticed.HARMLESS
     ]
-    said = [f"Not applicable, for the run is the same with it: {', '.join(unseen)}."] if unseen else []
+    said = [f"These faults do not change this run: {', '.join(unseen)}."] if unseen else []
     said += [f"Could not be judged: {finding.fault} ({finding.reason})." for finding in found.unjudged]
     harmless = ", ".join(dict.fromkeys(idle))
     return said + (
-        [f"Of the model, and without effect on any result, however wrong: {harmless}."] if idle else []
+        [
+            f"These parameters describe the model, not the problem. Wrong values make no result fail: {harmless}."
+        ]
+        if idle
+        else []
     )

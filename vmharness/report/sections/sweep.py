@@ -1,4 +1,4 @@
-"""Sweep: whether the formulas hold beyond one point of the given data."""
+"""Section on the sweep: whether the results agree with theory over a region of the data."""
 
 import msgspec
 
@@ -8,7 +8,7 @@ from vmharness.report.blocks import Figure, Section, Table
 from vmharness.round_off import ROUND_OFF
 from vmharness.studies.sweep.record import SweepRecord, Worst, worst_share
 
-WORST = "For each result, the point at which it uses most of its tolerance:"
+WORST = "The table shows, for each result, the point where it uses the largest share of its tolerance:"
 
 
 def section(content: bytes, case: Case) -> Section:
@@ -28,27 +28,25 @@ def figures(content: bytes) -> list[Figure]:
     from vmharness.report.figures import scatter
 
     found = msgspec.json.decode(content, type=SweepRecord)
-    caption = (
-        "Largest share of a tolerance that a result uses at each point, over each datum; large: out of it"
-    )
+    caption = "Largest share of a tolerance at each point, over each datum; large marks: out of tolerance"
     return [Figure("sweep", caption, scatter.draw(found))]
 
 
 def plan(found: SweepRecord) -> str:
-    """Where the points lie."""
+    """The number, ranges and constraints of the points."""
     ranges = [
         f"{name} from {number.given(low)} to {number.given(high)} {found.units[name]}".rstrip()
         for name, (low, high) in found.ranges.items()
     ]
-    held = "".join(f" Held: {sentence}." for sentence in found.within)
-    return f"{found.how}, over {'; '.join(ranges)}.{held}"
+    constraints = "".join(f" Constraint: {sentence}." for sentence in found.within)
+    return f"{found.how}. Ranges: {'; '.join(ranges)}.{constraints}"
 
 
 def verdict(found: SweepRecord) -> str:
     """At how many points all results are within their tolerances."""
     passed = found.points - len(found.failed) - len(found.unjudged)
     open_ = f"; {len(found.unjudged)} could not be judged" if found.unjudged else ""
-    return f"Every result is within its tolerance at {passed} of {found.points} points{open_}."
+    return f"All results are within their tolerances at {passed} of {found.points} points{open_}."
 
 
 def summary(found: SweepRecord) -> str:
@@ -60,20 +58,26 @@ def summary(found: SweepRecord) -> str:
 
 
 def tables(found: SweepRecord) -> list[Table]:
-    """Each result where it uses most of its tolerance."""
-    head = ["Result", "Failed", "Worst share", "Error (%)", *found.ranges]
+    """Each result at the point where it uses the largest share of its tolerance."""
+    head = ["Result", "Points failed", "Largest share", "Error (%)", *found.ranges]
     return [Table(head, [_row(found, result) for result in found.results])]
 
 
 def remarks(found: SweepRecord) -> list[str]:
-    """The failing point made simpler, and points that could not be judged."""
+    """The simplest failing point, and the points without a verdict."""
     said = []
     if found.failing is not None:
-        said.append(f"Out of tolerance: {found.failing.why}. The simplest such point: {found.failing.again}")
+        said.append(
+            f"Out of tolerance: {found.failing.why}. The simplest point that fails: {found.failing.again}"
+        )
     reasons: dict[str, int] = {}
     for reason in found.unjudged.values():
         reasons[reason] = reasons.get(reason, 0) + 1
-    return said + [f"Not judged, {count} points: {reason}" for reason, count in reasons.items()]
+    return said + [f"{_points(count)} could not be judged: {reason}" for reason, count in reasons.items()]
+
+
+def _points(count: int) -> str:
+    return "1 point" if count == 1 else f"{count} points"
 
 
 def _row(found: SweepRecord, result: Worst) -> list[str]:

@@ -1,4 +1,4 @@
-"""The record of a refinement: what each result did from level to level, against theory and the order it promises."""
+"""Record of a refinement: each result on each level, its order, and the order that theory expects."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -8,12 +8,12 @@ from vmharness.formula import Unit
 from vmharness.studies.converge.richardson import Kind, Richardson, richardson
 from vmharness.studies.maker import Maker
 
-ENOUGH = 0.1  # of the promised order: an observed one may lie so far below, or by its uncertainty
+ENOUGH = 0.1  # of the expected order: the observed one may be lower by this, or by its uncertainty
 
 
 @dataclass(frozen=True)
 class Level:
-    """One run of the sequence: N, the size that it stands for, the data that were set, each in its unit."""
+    """One run of the sequence: N, its size, and the data that were set, each in its unit."""
 
     number: float
     size: float
@@ -24,20 +24,20 @@ class Level:
 
 @dataclass(frozen=True)
 class Refined:
-    """A result over all levels, in its unit."""
+    """One result on all levels, in its unit."""
 
     key: str
     label: str
     unit: str
     target: float
     values: list[float | None]
-    promised: float | None  # order; None where the case promises none
+    promised: float | None  # expected order; None if the case expects none
     found: Richardson
-    inside: bool | None  # theory lies within the extrapolated value +- GCI; None without one
+    inside: bool | None  # whether theory is within the extrapolated value +- GCI; None without a GCI
 
     @property
     def agrees(self) -> bool | None:
-        """The order is the promised one or higher, or there is no error left to have one; None without a promise."""
+        """Whether the order is the expected one or higher, or the values are exact; None without an expected order."""
         if self.promised is None:
             return None
         if self.found.kind is Kind.EXACT:
@@ -50,7 +50,7 @@ class Refined:
 
 @dataclass(frozen=True)
 class ConvergeRecord:
-    """All that `vm converge` finds out about a case."""
+    """The record of `vm converge`."""
 
     case: str
     case_sha256: str  # of its inputs

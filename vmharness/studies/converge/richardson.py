@@ -1,13 +1,14 @@
-"""Order of accuracy from a sequence of refinements, and what it would converge to.
+"""Order of accuracy and extrapolated value from a sequence of refinements.
 
-On sizes h_1 > h_2 > ... > h_n a value in its asymptotic range goes as f = f_0 + C h^p. Of three levels
+For sizes h_1 > h_2 > ... > h_n a value in its asymptotic range is f = f_0 + C h^p. Three levels give
 
     (h_1^p - h_2^p) / (h_2^p - h_3^p) = (f_1 - f_2) / (f_2 - f_3)      gives p,
     f_0 = f_3 + (f_3 - f_2) / (r^p - 1),  r = h_2/h_3                  (Richardson's extrapolation),
     GCI = Fs |f_3 - f_2| / (r^p - 1)                                   (grid convergence index, Fs = 1.25).
 
 P. J. Roache, Verification and Validation in Computational Science and Engineering, Hermosa (1998), chapter 5. The order
-is that of the three finest levels; how far those of all other threes in a row lie from it says how well it is known.
+is that of the three finest levels; its uncertainty is the largest difference from the order of any other three
+successive levels.
 """
 
 from collections.abc import Sequence
@@ -15,13 +16,13 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 SAFETY = 1.25  # Roache's factor for three levels or more
-ROUND_OFF = 1e-9  # of a value: what differs by less does not differ
-SPREAD = 0.25  # of an order: threes whose orders differ by more are not in the asymptotic range
-HIGHEST = 16.0  # order that is looked for
+ROUND_OFF = 1e-9  # of a value: values that differ by less are equal
+SPREAD = 0.25  # of an order: if orders differ by more, the levels are not in the asymptotic range
+HIGHEST = 16.0  # largest order that is searched for
 
 
 class Kind(StrEnum):
-    """What a value does as it is refined."""
+    """Behaviour of a value under refinement."""
 
     CONVERGES = "converges"
     EXACT = "exact"  # the same at every level
@@ -33,7 +34,7 @@ class Kind(StrEnum):
 
 @dataclass(frozen=True)
 class Richardson:
-    """What follows from a sequence; the numbers are None where it has no order."""
+    """Result of the extrapolation; the numbers are None if the sequence has no order."""
 
     kind: Kind
     order: float | None = None
@@ -45,9 +46,9 @@ class Richardson:
 
 
 def richardson(sizes: Sequence[float], values: Sequence[float | None], promised: float | None) -> Richardson:
-    """Judge `values` at falling `sizes`, three at least.
+    """Extrapolate `values` at decreasing `sizes`, of which there are at least three.
 
-    An order above the `promised` one is not trusted for the GCI, which takes the promised one then.
+    The GCI uses the `promised` order if the observed one is higher.
     """
     f = [value for value in values if value is not None]
     if len(f) < len(values):
@@ -74,7 +75,7 @@ def richardson(sizes: Sequence[float], values: Sequence[float | None], promised:
 
 
 def order(h: Sequence[float], f: Sequence[float]) -> float | Kind:
-    """The order p of three levels, or why they have none.
+    """The order p of three levels, or the reason why they have none.
 
     >>> round(order([0.4, 0.2, 0.1], [1.16, 1.04, 1.01]), 9)
     2.0

@@ -1,4 +1,4 @@
-"""The levels of a refinement as variants of a case, and the record of what they gave."""
+"""Runs of the levels of a refinement, and the record of their results."""
 
 from collections.abc import Sequence
 
@@ -12,14 +12,16 @@ from vmharness.studies.variant import Variant
 
 
 def variants(case: Case) -> list[Variant]:
-    """A variant for each level of [converge]; raises CaseError without one, or where the targets would move."""
+    """A variant for each level of [converge]; raises CaseError without [converge], or if a target changes."""
     found = []
     for number in _plan(case).levels:
         variant = case.with_given(_data(case, number))
         for result in case.file.results:
             target, moved = case.target(result.key), variant.target(result.key)
             if abs(moved - target) > 1e-9 * abs(target):
-                raise CaseError(f"{case.id}: [converge] N = {number:g} moves the target of {result.key}")
+                raise CaseError(
+                    f"{case.id}: [converge] N = {number:g} changes the target of {result.key}; a refinement must not"
+                )
         found.append(Variant(variant, f"N = {number:g}"))
     return found
 
@@ -58,7 +60,7 @@ def record(case: Case, outcomes: Sequence[Measured]) -> ConvergeRecord:
 
 def _plan(case: Case) -> Converge:
     if case.file.converge is None:
-        raise CaseError(f"{case.id}: has no [converge]: nothing says what is to be refined")
+        raise CaseError(f"{case.id}: case.toml has no [converge] table, which says what is refined")
     return case.file.converge
 
 

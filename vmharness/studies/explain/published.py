@@ -1,4 +1,4 @@
-"""Published columns explained: by the reading of states that gives their digits, and by the rounding of these."""
+"""Published columns explained by a reading of states and by the rounding of the printed digits."""
 
 from decimal import Decimal
 
@@ -9,11 +9,11 @@ from vmharness.history import History
 from vmharness.studies.explain import readings
 from vmharness.studies.explain.record import SAMPLING, Column, Explained, Part, explained
 
-SOLVER, ROUNDING = "this solver", "rounding of the digits"
+SOLVER, ROUNDING = "this solver", "printed digits"
 
 
 def columns(case: Case, history: History) -> list[Column]:
-    """Every published column of the case: one of a solver is looked for in the history."""
+    """Every published column of the case; for a column that a solver computed, the best reading of the history."""
     return [
         _computed(case, history, column) if column.kind == "computed" else _target(case, column)
         for column in case.published
@@ -21,7 +21,7 @@ def columns(case: Case, history: History) -> list[Column]:
 
 
 def half_unit(text: str) -> float:
-    """Half a unit in the last digit that is printed.
+    """Half a unit of the last printed digit.
 
     >>> half_unit("-1.0005"), half_unit("193")
     (5e-05, 0.5)
@@ -53,14 +53,14 @@ def _computed(case: Case, history: History, column: Published) -> Column:
 
 
 def _target(case: Case, column: Published) -> Column:
-    """Theory against theory: what is not the rounding of the digits is another theory, or other data."""
+    """A column of targets: a difference larger than the rounding comes from another theory or from other data."""
     results = [_explained(case, key, text, _theory(case, key), []) for key, text in column.values.items()]
     same = [one.key for one in results if one.unexplained.value == 0.0]
     return Column(column.name, column.kind, "", [], same, {}, results)
 
 
 def _explained(case: Case, key: str, text: str, read: float, parts: list[Part]) -> Explained:
-    """`read` is what should be printed: digits that are within half a unit of it are its rounding."""
+    """The error of the figure `text`, of which `read` is the exact value if they differ by half a unit at most."""
     result, target, published, half = case.result(key), _theory(case, key), float(text), half_unit(text)
     rounds = abs(published - read) <= half * (1.0 + 1e-9)
     rounding = Part(ROUNDING, published - read if rounds else 0.0, 0.0 if rounds else half, "bound")

@@ -1,8 +1,8 @@
-"""Which way of reading a history gives the digits of a published column: intervals and methods, tried one by one.
+"""Ways of reading a history, tried one by one: which of them gives the digits of a published column.
 
-A solver writes states some interval apart, and a reader takes a state for the event, without interpolation. What is
-found is the reading that gives the most of the printed figures. Of several such it is the roundest interval, then the
-largest, for the finer the states, the more readings come close to the history itself; the other intervals are named.
+A solver writes states at an interval, and a reader takes one state for the event, without interpolation. The best
+reading gives the most printed figures. Among equal ones, a round interval comes first, then the largest, because the
+readings of fine states all come close to the history itself. The other intervals are named.
 """
 
 import math
@@ -17,18 +17,18 @@ from vmharness.history import History
 from vmharness.reading import FIRST, LAST, prints_as, read_off, said, states
 from vmharness.studies.thinning import read_all
 
-STEPS = (1.0, 2.0, 2.5, 5.0)  # of the intervals that people choose, times a power of ten
-FEWEST = 10  # states in a run that anyone would read
-MOST = 20_000  # beyond them an interval is tried no more: it is next to none
+STEPS = (1.0, 2.0, 2.5, 5.0)  # usual intervals, times a power of ten
+FEWEST = 10  # states in a run, at least
+MOST = 20_000  # states in a run, at most: a finer interval is close to the history itself
 
 
 @dataclass(frozen=True)
 class Reading:
-    """One way to read a history, and what it gives."""
+    """One way of reading a history, and the values that it gives."""
 
     interval: float  # consistent units; 0 for the whole history, read between its samples
-    written: str  # when the states are
-    taken: str  # which of them is taken for an event; empty for the whole history
+    written: str  # the time of each state, in words
+    taken: str  # the state that is taken for an event, in words; empty for the whole history
     values: Mapping[str, float]  # by key, in the results' units
     same: tuple[str, ...]  # keys whose printed digits it gives
     also: tuple[float, ...] = ()  # other intervals that give just as many, read the same way
@@ -39,7 +39,7 @@ class Reading:
 
 
 def best(case: Case, history: History, column: Published) -> Reading:
-    """The reading that gives most of the column; the whole history, read properly, if none gives more than that."""
+    """The reading that gives the most figures; the whole history with interpolation if none gives more."""
     found = [plain(case, history, column), *_all(case, history, column, list(column.values))]
     chosen = max(found, key=_worth)
     alike = [
@@ -51,20 +51,20 @@ def best(case: Case, history: History, column: Published) -> Reading:
 
 
 def rest(case: Case, history: History, column: Published, but: Reading) -> Reading | None:
-    """What gives most of the figures that the reading `but` does not, at its interval; None if none gives any."""
+    """The reading at the same interval that gives most of the figures that `but` does not; None without one."""
     keys = [key for key in column.values if key not in but.same]
     found = [one for one in _all(case, history, column, keys) if one.same and one.interval == but.interval]
     return max(found, key=_worth, default=None)
 
 
 def plain(case: Case, history: History, column: Published) -> Reading:
-    """Every result found between the samples of the whole history."""
+    """The reading with interpolation between all samples."""
     values = {key: value for key, value in read_all(case, history).items() if value is not None}
-    return _judged(0.0, "every cycle, read between samples", "", values, column, list(column.values))
+    return _judged(0.0, "every cycle, with interpolation", "", values, column, list(column.values))
 
 
 def intervals(history: History) -> Iterator[float]:
-    """1, 2, 2.5 and 5 times powers of ten, from a tenth of the run down to a few cycles."""
+    """Intervals to try: 1, 2, 2.5 and 5 times powers of ten, from a tenth of the run down to two cycles."""
     span = float(history.time[-1] - history.time[0])
     shortest = max(2.0 * span / (len(history) - 1), span / MOST)
     for power in range(math.floor(math.log10(span)), math.floor(math.log10(shortest)) - 1, -1):
@@ -75,7 +75,7 @@ def intervals(history: History) -> Iterator[float]:
 
 
 def _worth(reading: Reading) -> tuple[int, bool, float]:
-    """Figures that it gives; of the same, the plain reading, which needs no explanation, then the rounder interval."""
+    """Rank of a reading: the number of figures, then the plain reading, then a round and a large interval."""
     if reading.interval == 0.0:
         return len(reading.same), True, math.inf
     return len(reading.same), f"{reading.interval:e}".startswith("1.000000"), reading.interval
@@ -85,7 +85,7 @@ def _all(case: Case, history: History, column: Published, keys: list[str]) -> It
     for interval in intervals(history):
         for how, written in WRITTEN.items():
             sampled = written(history, interval)
-            for which, before in ((FIRST, 0), ("the last before the event", 1)):
+            for which, before in ((FIRST, 0), ("the event is read one state before it shows", 1)):
                 values = _values(case, sampled, keys, before)
                 yield _judged(interval, how, which, values, column, keys)
 
@@ -98,7 +98,7 @@ def _judged(
 
 
 def _values(case: Case, sampled: History, keys: list[str], before: int) -> dict[str, float]:
-    """The results, as a reader without interpolation takes them; an onset may be taken one state early."""
+    """The results without interpolation; an onset may be taken `before` states early."""
     found = {key: read_off(case, sampled, key, before) for key in keys}
     return {key: read[1] for key, read in found.items() if read is not None}
 
@@ -115,7 +115,7 @@ def _next_cycle(history: History, interval: float) -> History:
 
 def _exactly(history: History, interval: float) -> History:
     nominal = _nominal(history, interval)
-    # Between samples a straight line will do, and leaves a force zero until it begins.
+    # Linear interpolation between samples keeps a force zero until it begins.
     channels = {name: np.interp(nominal, history.time, values) for name, values in history.channels.items()}
     return History(nominal, channels)
 
@@ -127,6 +127,6 @@ def _nominal(history: History, interval: float) -> np.ndarray:
 
 WRITTEN: dict[str, Callable[[History, float], History]] = {
     LAST: _last_cycle,
-    "each at its very time": _exactly,
-    "each the first cycle not before its time": _next_cycle,
+    "each at exactly its nominal time": _exactly,
+    "each is the first cycle from its nominal time on": _next_cycle,
 }

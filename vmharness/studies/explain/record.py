@@ -1,15 +1,18 @@
-"""Where the difference of a result from theory comes from, cause by cause, each from runs or a bound.
+"""The error of a result split into its causes; each part comes from runs or from a bound.
 
-With v(h, s) the result of a run with steps of h, read from samples s apart,
+Let v(h, s) be the result of a run with the time step h that is read from samples s apart:
 
     v(h, h) - target = [v(h, h) - v(h/4, h)] + [v(h/4, h) - v(h/4, h/4)] + [v(h/4, h/4) - target]
                             time step                  sampling                   the rest
 
-Both brackets stop at h/4. What lies beyond follows for the time step from h/2, if the differences fall in a fixed ratio
-(Richardson): d1 + d2 + d2/(r - 1) for the differences d1, d2 of two halvings and r = d1/d2. Where they do not, d2 is
-left open. For the sampling it follows from the motion at h/4 read from every sample, every second and every fourth: the
-mean of each over its phases goes as a + b s^p with the spacing s, and b is the mean error of the finest. How far one
-phase lies from the mean is left open.
+Both brackets end at h/4; the part below h/4 is extrapolated.
+
+Time step (Richardson): with the differences d1, d2 of two halvings and r = d1/d2, the whole part is
+d1 + d2 + d2/(r - 1). If the sequence does not converge, the part is d1 + d2 with the uncertainty d2.
+
+Sampling: the run with h/4 is read from every sample, every second and every fourth one. The mean over the phases is
+a + b s^p for the spacing s, which gives the error at s = h/4. The uncertainty is the distance of one phase from the
+mean.
 """
 
 from collections.abc import Sequence
@@ -25,17 +28,17 @@ SLOWEST = 20.0  # d1/d2 above this is round-off in d2, or chance
 
 @dataclass(frozen=True)
 class Part:
-    """One cause: how far it moves the result, in the result's unit, and how much of that is open."""
+    """One cause: its part of the error, in the unit of the result, and the uncertainty of that part."""
 
     cause: str
     value: float
-    open: float = 0.0  # the part may be larger or smaller by this
-    how: str = "runs"  # or bound, or difference: what is left
+    open: float = 0.0  # uncertainty: the part may be larger or smaller by this
+    how: str = "runs"  # or bound, or difference (the unexplained rest)
 
 
 @dataclass(frozen=True)
 class Explained:
-    """value - target of one result as the sum of its parts, the last of which is what is not explained."""
+    """The error value - target of one result as the sum of its parts; the last part is the unexplained rest."""
 
     key: str
     label: str
@@ -47,23 +50,23 @@ class Explained:
 
     @property
     def difference(self) -> float:
-        """value - target, which the parts add up to."""
+        """The error value - target: the sum of the parts."""
         return sum(part.value for part in self.parts)
 
     @property
     def unexplained(self) -> Part:
-        """What no run accounts for."""
+        """The unexplained rest."""
         return self.parts[-1]
 
 
 @dataclass(frozen=True)
 class Column:
-    """A published column: the reading that gives most of its digits, and its differences from theory in parts."""
+    """A published column: the reading that gives most of its figures, and its errors in parts."""
 
     name: str
     kind: str  # target, or computed
     reading: str  # in words; empty for a target
-    also: list[float]  # other intervals that give as many digits
+    also: list[float]  # other intervals that give as many figures
     same: list[str]  # keys of the figures that it gives
     others: dict[
         str, str
@@ -73,18 +76,18 @@ class Column:
 
 @dataclass(frozen=True)
 class ExplainRecord:
-    """All that `vm explain` finds out about a case."""
+    """The record of `vm explain`."""
 
     case: str
     case_sha256: str  # of its inputs
     results: list[Explained]
     columns: list[Column] = field(default_factory=list)  # published
-    notes: list[str] = field(default_factory=list)  # what was not separated, and why
+    notes: list[str] = field(default_factory=list)  # causes that could not be separated, and why
     made_by: Maker | None = None  # None in records of before it was kept
 
 
 def halved(d1: float, d2: float, cause: str) -> Part:
-    """The part of a cause whose size is halved twice, from the two differences of the result.
+    """The part of a cause that is halved twice, from the two differences of the result.
 
     >>> halved(3.0, 0.75, "time step")  # second order: 4 in all
     Part(cause='time step', value=4.0, open=0.0, how='runs')
@@ -97,7 +100,7 @@ def halved(d1: float, d2: float, cause: str) -> Part:
 
 
 def sampled(coarse: float, phases: Sequence[Sequence[float]]) -> Part:
-    """The part of the sampling: from `coarse`, as the run is read, to what readings of 1, 2 and 4 spacings tend to.
+    """The part of the sampling: `coarse` less the limit of the readings with spacings of 1, 2 and 4 samples.
 
     >>> sampled(0.25, ([0.25], [0.25, 1.25], [0.25, 1.25, 2.25, 3.25]))  # the first sample of those 1 apart
     Part(cause='sampling', value=0.5, open=0.5, how='runs')
@@ -114,7 +117,7 @@ def sampled(coarse: float, phases: Sequence[Sequence[float]]) -> Part:
 def explained(
     key: str, label: str, unit: str, target: float, value: float, allowed: float, parts: list[Part]
 ) -> Explained:
-    """The parts, with what they leave of the difference."""
+    """The parts and the unexplained rest of the error."""
     rest = Part(
         "unexplained",
         value - target - sum(part.value for part in parts),

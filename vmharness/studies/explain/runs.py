@@ -1,4 +1,4 @@
-"""The runs from which the difference of each result is split, and the split itself."""
+"""The runs that split the error of each result into its causes, and the record of the split."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -14,13 +14,13 @@ from vmharness.studies.maker import maker
 from vmharness.studies.measured import Measured
 from vmharness.studies.variant import Variant
 
-SOUND, HALF, QUARTER = "as it is", "half the step", "a quarter of the step"
-EXACT, STIFF = "every number of the deck exact", "contacts twice as stiff"
-TIME_STEP, NUMBERS, PENALTY, MESH = "time step", "numbers of the deck", "penalty", "mesh"
+SOUND, HALF, QUARTER = "unchanged", "half the time step", "a quarter of the time step"
+EXACT, STIFF = "exact numbers in the deck", "contacts twice as stiff"
+TIME_STEP, NUMBERS, PENALTY, MESH = "time step", "rounding of the deck", "contact penalty", "mesh"
 
 
 def variants(case: Case) -> dict[str, Variant]:
-    """The runs by name: as it is, in finer steps, with exact numbers, and the levels of [converge] for the mesh."""
+    """The runs by name: unchanged, finer time steps, exact numbers, stiffer contacts, and the meshes of [converge]."""
     found = {SOUND: Variant(case, SOUND)}
     try:
         found[HALF] = Variant(with_step(case, 0.5), HALF, strides=(2,))
@@ -35,20 +35,22 @@ def variants(case: Case) -> dict[str, Variant]:
 
 
 def record(case: Case, outcomes: Mapping[str, Measured]) -> ExplainRecord:
-    """The split of every result that has a value; raises CaseError where the run as it is has not even one."""
+    """The record of the split; raises CaseError if the run of the unchanged case failed."""
     sound = outcomes[SOUND]
     if sound.failure:
-        raise CaseError(f"{case.id}: the run that is to be explained failed: {sound.failure}")
+        raise CaseError(f"{case.id}: the run of the unchanged case failed: {sound.failure}")
     notes = [
-        f"{name}: {outcome.failure}; what follows from it is not separated"
+        f"the run '{name}' failed, and its cause cannot be separated: {outcome.failure}"
         for name, outcome in outcomes.items()
         if outcome.failure
     ]
     if HALF not in outcomes:
-        notes.append("the time step follows a curve of the deck: time step and sampling are not separated")
+        notes.append(
+            "the time step follows a curve of the deck: the errors of time step and sampling cannot be separated"
+        )
     if not _meshes(case):
         notes.append(
-            "the case declares no refinement of its mesh: what a mesh does is part of the unexplained"
+            "the case declares no refinement of its mesh: an error of the mesh is part of the unexplained rest"
         )
     results = [
         _explained(case, key, outcomes) for key, value in sound.results.items() if value.value is not None
@@ -56,7 +58,9 @@ def record(case: Case, outcomes: Mapping[str, Measured]) -> ExplainRecord:
     if _meshes(case):
         open_ = [one.key for one in results if MESH not in [part.cause for part in one.parts]]
         if open_:
-            notes.append(f"the mesh is not separated for {', '.join(open_)}: the sequence has no limit yet")
+            notes.append(
+                f"the error of the mesh is not separated for {', '.join(open_)}: the results do not converge yet"
+            )
     made_by = maker(outcomes.values())
     return ExplainRecord(case.id, case.inputs_sha256, results, notes=notes, made_by=made_by)
 
@@ -71,7 +75,7 @@ def _explained(case: Case, key: str, outcomes: Mapping[str, Measured]) -> Explai
 
 
 def _steps(key: str, value: float, outcomes: Mapping[str, Measured]) -> list[Part]:
-    """Time step, by finer steps read at the instants of the run; sampling, by one motion read more and more finely."""
+    """Time step: finer steps, read at the times of the run. Sampling: one run, read at more and more samples."""
     if HALF not in outcomes or outcomes[HALF].failure or outcomes[QUARTER].failure:
         return []
     half = outcomes[HALF].thinned[2][key][0]
@@ -84,7 +88,7 @@ def _steps(key: str, value: float, outcomes: Mapping[str, Measured]) -> list[Par
 
 
 def _numbers(key: str, value: float, outcomes: Mapping[str, Measured]) -> list[Part]:
-    """What the rounding of the deck's own numbers does: the run, less the one with all the digits of the data."""
+    """Rounding of the deck: the value of the run less that of the run with all digits of the data."""
     if EXACT not in outcomes or outcomes[EXACT].failure:
         return []
     exact = outcomes[EXACT].results[key].value
@@ -92,7 +96,7 @@ def _numbers(key: str, value: float, outcomes: Mapping[str, Measured]) -> list[P
 
 
 def _penalty(key: str, value: float, outcomes: Mapping[str, Measured]) -> list[Part]:
-    """What the give of a contact does: it goes as 1/k, so that it is twice what goes with twice the stiffness."""
+    """Contact penalty: its error is proportional to 1/k, hence twice the change from doubling the stiffness k."""
     if STIFF not in outcomes or outcomes[STIFF].failure:
         return []
     stiff = outcomes[STIFF].results[key].value
@@ -102,7 +106,7 @@ def _penalty(key: str, value: float, outcomes: Mapping[str, Measured]) -> list[P
 def _mesh(
     case: Case, key: str, value: float, target: float, outcomes: Mapping[str, Measured], others: list[Part]
 ) -> list[Part]:
-    """The run, less what its meshes converge to; less the time step, too, where that is refined with them."""
+    """Mesh: the value less the limit of the refined meshes, and less the time step if that is refined with them."""
     plan, levels = case.file.converge, _meshes(case)
     if plan is None or not levels:
         return []
@@ -119,9 +123,9 @@ def _mesh(
 
 
 def _has_penalty(case: Case) -> bool:
-    """The deck has contacts whose stiffness is not of the problem, but that of a penalty.
+    """Whether the deck has contacts whose stiffness is a penalty, and no datum of the problem.
 
-    It is of the problem if data on which a target depends move a scale factor of the stiffness.
+    It is a datum of the problem if a target depends on data that change a scale factor of the stiffness.
     """
     scales = contact_scales(case)
     if len(scales) < 2:
@@ -130,7 +134,7 @@ def _has_penalty(case: Case) -> bool:
     for name in case.file.deck.parameters:
         if data & case.origins(f"parameter {name}"):
             other = {**case.deck_parameters(), name: 1.01 * case.evaluate(f"parameter {name}")}
-            if contact_scales(replace(case, planted=other)) != scales:
+            if contact_scales(replace(case, overrides=other)) != scales:
                 return False
     return True
 
@@ -141,7 +145,7 @@ def _meshes(case: Case) -> list[Variant]:
 
 
 def _with_exact_numbers(case: Case) -> Case:
-    """The case with every parameter of its deck that follows from the data, in all its digits."""
+    """The case with all digits of every parameter of its deck that follows from the data."""
     names = [name for name, formula in case.file.deck.parameters.items() if formula != RUN_LENGTH]
     exact = {name: case.evaluate(f"parameter {name}") for name in names}
-    return replace(case, planted={**exact, **case.deck_parameters()})
+    return replace(case, overrides={**exact, **case.deck_parameters()})

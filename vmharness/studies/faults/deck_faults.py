@@ -1,6 +1,6 @@
-"""Faults of a deck as variants of its case: the theory, and so the targets, stay as they are.
+"""Faults of the deck as variants of its case; the theory and the targets do not change.
 
-One number is wrong, by a few percent, in its sign or in its unit; or supports are missing.
+One number is wrong by a few percent, in its sign or in its unit; or supports are missing.
 """
 
 import math
@@ -18,15 +18,15 @@ from vmharness.studies.faults.declared import RUN_LENGTH
 from vmharness.studies.variant import Variant
 
 PERCENTS = (0.1, -0.1, 1.0, -1.0, 5.0, -5.0)
-OTHER_SIGN = "of the other sign"  # which most decks must not have
-SLIP = 1000.0  # between a unit and its thousandth
-LARGEST = 20  # a wrong unit makes the mesh no more than so many times as large: it would only be waited for
-MODEL = "Model"  # the group of the data that are no part of the problem
+OTHER_SIGN = "with the opposite sign"
+SLIP = 1000.0  # factor of a wrong unit
+LARGEST = 20  # a wrong unit may make the deck at most so many times as long: a longer run is not waited for
+MODEL = "Model"  # group of the data of the model, which are not data of the problem
 
 
 @dataclass(frozen=True)
-class Planted:
-    """A fault in a case, before it is run."""
+class CaseFault:
+    """A fault to plant, and the variant of the case that has it."""
 
     name: str
     text: str
@@ -34,14 +34,14 @@ class Planted:
     variant: Variant
 
 
-def parameter_faults(case: Case, cycles: int) -> list[Planted]:
-    """Each number that the problem sets in the deck, wrong alone; a wrong unit ends after so many `cycles`.
+def parameter_faults(case: Case, cycles: int) -> list[CaseFault]:
+    """Faults of each parameter of the deck, one at a time; a run with a wrong unit ends after `cycles` cycles.
 
-    Of the numbers that a template makes its mesh of, those of the model are left alone: they number nodes.
+    The mesh parameters of a template that describe the model alone are skipped: they count nodes and elements.
     """
     deck = case.file.deck
     most = LARGEST * len(case.deck_source()) or math.inf
-    found: list[Planted] = []
+    found: list[CaseFault] = []
     for name, formula in deck.parameters.items():
         if formula != RUN_LENGTH:
             found += _wrong(name, case.evaluate(f"parameter {name}"), _parameter(case, name), cycles, most)
@@ -51,8 +51,8 @@ def parameter_faults(case: Case, cycles: int) -> list[Planted]:
     return found
 
 
-def support_faults(case: Case) -> list[Planted]:
-    """Without the last support of the deck, and without any."""
+def support_faults(case: Case) -> list[CaseFault]:
+    """Two faults: the last support is missing, and all supports are missing."""
     if not _supports(read_deck(case)):
         return []
     none = with_entries(case, lambda deck: _without(deck, _supports(deck)))
@@ -61,38 +61,38 @@ def support_faults(case: Case) -> list[Planted]:
 
 
 def is_of_model(case: Case, formula: str) -> bool:
-    """Whether a formula has data of the model alone, none of the problem."""
+    """Whether a formula depends on data of the model alone, and on none of the problem."""
     return all(case.file.given[datum].group == MODEL for datum in case.origins(formula))
 
 
-def _fault(name: str, case: Case) -> Planted:
-    return Planted(name, f"In the deck, {name}", "deck", Variant(case, name))
+def _fault(name: str, case: Case) -> CaseFault:
+    return CaseFault(name, f"Deck: {name}", "deck", Variant(case, name))
 
 
 def _wrong(
     name: str, value: float, make: Callable[[float], Case], cycles: int, most: float
-) -> Iterator[Planted]:
-    """What can be wrong with a number that is not 0, where the deck then has no more than `most` characters."""
+) -> Iterator[CaseFault]:
+    """The faults of a number that is not zero, as far as the template makes a deck of at most `most` characters."""
     if value == 0.0:
         return
     changes = [(f"{percent:+g} %", 1.0 + percent / 100.0) for percent in PERCENTS]
     for text, factor in [*changes, (OTHER_SIGN, -1.0), (f"{SLIP:g} times as large", SLIP)]:
         with suppress(CaseError):
             case = make(factor * value)
-            case.deck_source(most)  # raises where a template makes none
+            case.deck_source(most)  # raises CaseError if the template makes no such deck
             yield _fault(f"{name} {text}", _ended(case, cycles) if factor == SLIP else case)
 
 
 def _parameter(case: Case, name: str) -> Callable[[float], Case]:
-    return lambda value: replace(case, planted={**case.deck_parameters(), name: value})
+    return lambda value: replace(case, overrides={**case.deck_parameters(), name: value})
 
 
 def _mesh(case: Case, name: str) -> Callable[[float], Case]:
-    return lambda value: replace(case, planted_mesh={**case.planted_mesh, name: value})
+    return lambda value: replace(case, mesh_overrides={**case.mesh_overrides, name: value})
 
 
 def _ended(case: Case, cycles: int) -> Case:
-    """The run ends after so many cycles; a deck that cannot be read is left for the solver to refuse."""
+    """The case with a limit of `cycles`; a deck that cannot be read stays as it is, and the solver refuses it."""
 
     def change(entry: Entry) -> Entry:
         if entry.keyword.name != "CONTROL_TERMINATION":
@@ -106,7 +106,7 @@ def _ended(case: Case, cycles: int) -> Case:
 
 
 def _supports(deck: Deck) -> list[tuple[Entry, int]]:
-    """Each support as its entry and its row there: nodes with a code, then cards of *BOUNDARY_SPC, whose row is -1."""
+    """Each support as its entry and row: nodes with a constraint code, then entries of *BOUNDARY_SPC with row -1."""
     nodes = [(entry, int(row)) for entry in deck.all("NODE") for row in np.flatnonzero(entry.tc | entry.rc)]
     return nodes + [(entry, -1) for entry in deck.entries if entry.keyword.name.startswith("BOUNDARY_SPC")]
 

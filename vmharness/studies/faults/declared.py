@@ -1,4 +1,4 @@
-"""Planted faults: changes of the deck alone that a case must notice."""
+"""Declared faults: changes of the deck alone that must fail the case."""
 
 import math
 from collections.abc import Mapping
@@ -12,44 +12,44 @@ from vmharness.case.settings import changed_value
 from vmharness.case.tolerance import allowed_difference
 from vmharness.round_off import ROUND_OFF
 
-# A parameter with just this formula is how long the deck runs, and no datum of its problem.
+# A parameter with exactly this formula is the end time of the run, and no datum of the problem.
 RUN_LENGTH = "t_end"
 
 
 @dataclass(frozen=True)
 class Move:
-    """How far a fault moves a result, by theory."""
+    """The change of a result by a fault, by theory."""
 
     percent: float | None  # of the target; None where that is zero
-    tolerances: float  # change / allowed difference: what is not above 1 cannot fail
+    tolerances: float  # change / allowed difference: a result cannot fail unless this is above 1
 
 
 def in_deck(case: Case, datum: str) -> bool:
-    """Whether the problem that the deck poses, and not only the length of its run, follows from a given datum."""
+    """Whether a parameter of the deck, other than the end time, follows from a given datum."""
     deck = case.file.deck
     follow = [f"parameter {name}" for name, formula in deck.parameters.items() if formula != RUN_LENGTH]
     follow += [f"mesh {name}" for name in deck.mesh]
     return any(datum in case.origins(name) for name in follow)
 
 
-def planted(case: Case, fault: Fault) -> Case:
-    """The case with `fault` in its deck: the theory, and so the targets, stay as they are."""
+def with_fault(case: Case, fault: Fault) -> Case:
+    """The case with `fault` in its deck; the theory and the targets do not change."""
     return case.with_deck_of(_data(case, fault))
 
 
 def moves(case: Case, fault: Fault) -> Mapping[str, Move | None]:
-    """By key of each result that must fail: theory with the faulty data, against the sound one.
+    """The change of each result that must fail, by key: theory with the faulty data less theory with the sound data.
 
-    The gate reads the faulty run at the time, or the level, that the sound theory says. Where the fault moves that too,
-    the theory of the channel over time is read there, and the move is None if the case has none. Raises CaseError where
-    no parameter of the deck follows from the data, or theory has no value for them.
+    The faulty run is read at the time, or the level, of the sound theory. If the fault changes that time, too, the
+    theory of the channel over time is read there; the change is None if the case has no such theory. Raises CaseError
+    if no parameter of the deck follows from the data, or if theory has no value for them.
     """
     faulty = case.with_given(_data(case, fault))
     return {key: _move(case, faulty, key) for key in fault.must_fail}
 
 
 def review(case: Case) -> list[str]:
-    """Faults that cannot make a result fail that they must, as sentences."""
+    """Sentences on declared faults that are too small to make a result fail."""
     wrong = []
     for number, fault in enumerate(case.file.faults, 1):
         place = f"[faults] {number} ({fault.text})"
@@ -59,7 +59,7 @@ def review(case: Case) -> list[str]:
             wrong.append(f"{place}: {error}")
             continue
         wrong += [
-            f"{place}: {key} must fail, but theory moves it by {move.tolerances:.2g} of its tolerance only"
+            f"{place}: {key} must fail, but by theory it changes by only {move.tolerances:.2g} of its tolerance"
             for key, move in moved.items()
             if move is not None and not move.tolerances > 1.0
         ]
@@ -84,9 +84,9 @@ def _move(case: Case, faulty: Case, key: str) -> Move | None:
 
 
 def change_seen(case: Case, faulty: Case, key: str) -> float | None:
-    """How far the reading of a result moves, by theory, when the deck has the data of `faulty`; consistent units.
+    """The change of the value that is read for a result if the deck has the data of `faulty`; consistent units.
 
-    It is read at the time, or the level, of the sound theory; None where theory has no curve to read there.
+    It is read at the time, or the level, of the sound theory; None if theory has no curve to read there.
     """
     result = case.result(key)
     at, level = f"at {result.event}", f"level {result.event}"

@@ -9,7 +9,7 @@ FAULTS = (
     # Time integration
     SolverFault(
         name="half_step_start",
-        text="The first velocity is taken a whole step, not half a step, from the start",
+        text="The first velocity is that of a whole step after the start, not of half a step",
         kind="integration",
         module="vmharness.explicit.loop",
         sound="0.5 * (s.dt + dt)",
@@ -26,7 +26,7 @@ FAULTS = (
     ),
     SolverFault(
         name="unstable_step",
-        text="The time step is two and a half times as long as is stable",
+        text="The time step is 2.5 times the stable one",
         kind="integration",
         module="vmharness.explicit.model.model",
         sound="self.step_factor * block",
@@ -35,7 +35,7 @@ FAULTS = (
     # Materials
     SolverFault(
         name="plate_modulus_without_poisson",
-        text="The modulus of a plate is E, not E / (1 - nu^2)",
+        text="The plane-stress modulus of a shell is E, not E / (1 - nu^2)",
         kind="physics",
         module="vmharness.explicit.materials.elastic",
         sound="plate = e / (1 - nu * nu)",
@@ -53,7 +53,7 @@ FAULTS = (
     ),
     SolverFault(
         name="kinematic_hardening_off",
-        text="Hardening is isotropic, whatever BETA says",
+        text="Hardening is isotropic for every BETA",
         kind="physics",
         module="vmharness.explicit.materials.plastic_kinematic",
         sound="C=(1.0 - entry.beta) * E_p,\n        Y=line(entry.sigy, entry.beta * E_p)",
@@ -72,7 +72,7 @@ FAULTS = (
     # Shells
     SolverFault(
         name="shell_bending_without_half",
-        text="The height of a point in a shell is counted from full, not half, the thickness",
+        text="Integration points of a shell lie at twice their distance from the mid-surface",
         kind="physics",
         module="vmharness.explicit.elements.shell._point",
         sound="z, dz = 0.5 * thickness * zeta, 0.5 * thickness * weight",
@@ -81,7 +81,7 @@ FAULTS = (
     ),
     SolverFault(
         name="shell_gradient_without_half",
-        text="The gradient at the centre of a shell is divided by its area, not by twice that",
+        text="The gradient at the centre of a shell is divided by the area, not by twice the area",
         kind="physics",
         module="vmharness.explicit.elements.shell.belytschko_tsay.frame",
         sound="B1 = (dot(r24, e2) / double_area, -dot(r13, e2) / double_area)",
@@ -109,7 +109,7 @@ FAULTS = (
     ),
     SolverFault(
         name="jaumann_terms_off",
-        text="The stress of a solid does not turn with the material",
+        text="The stress of a solid does not rotate with the material",
         kind="physics",
         module="vmharness.explicit.elements.solid._motion",
         sound="t = half_rotation(scale(0.25 * dt, spin))",
@@ -137,7 +137,7 @@ FAULTS = (
     # Beams, trusses, springs and dampers
     SolverFault(
         name="beam_far_moment",
-        text="The far end of a beam takes as much moment as the near one",
+        text="Both ends of a beam get the same moment",
         kind="physics",
         module="vmharness.explicit.elements.beam.belytschko_schwer.stiffness",
         sound="(2 - phi) * e * moment",
@@ -146,7 +146,7 @@ FAULTS = (
     ),
     SolverFault(
         name="truss_strain_without_half",
-        text="The strain increment of a truss is half of what it is",
+        text="The strain increment of a truss is half of the right one",
         kind="physics",
         module="vmharness.explicit.elements.beam.truss",
         sound="law(constants, dt, 2 * elongation / double",
@@ -155,7 +155,7 @@ FAULTS = (
     ),
     SolverFault(
         name="damper_force_halved",
-        text="Dampers feel half of the rate at which they are stretched",
+        text="Dampers use half of their elongation rate",
         kind="physics",
         module="vmharness.explicit.elements.discrete.step",
         sound="law(constants, dt, d, rate, history, i",
@@ -174,7 +174,7 @@ FAULTS = (
     ),
     SolverFault(
         name="contact_pulls",
-        text="Contact damping pulls where it exceeds the penalty",
+        text="Contacts pull if the damping force exceeds the penalty force",
         kind="physics",
         module="vmharness.explicit.contact.force",
         sound="pressing = max(0.0, pressing - c *",
@@ -183,7 +183,7 @@ FAULTS = (
     ),
     SolverFault(
         name="contact_reaction_in_equal_parts",
-        text="A segment takes the reaction in equal parts, wherever it is touched",
+        text="The contact force is shared equally by the nodes of a segment, wherever it acts",
         kind="physics",
         module="vmharness.explicit.contact.force",
         sound="f[nodes[i], j] -= weights[i] * force[j]",
@@ -192,7 +192,7 @@ FAULTS = (
     ),
     SolverFault(
         name="friction_sign",
-        text="Friction pushes along the sliding, not against it",
+        text="Friction acts in the direction of sliding, not against it",
         kind="physics",
         module="vmharness.explicit.contact.friction",
         sound="return scale(-k, slip)",
@@ -201,7 +201,7 @@ FAULTS = (
     ),
     SolverFault(
         name="friction_without_decay",
-        text="Friction has its static coefficient at any speed",
+        text="The coefficient of friction does not decay with the speed",
         kind="physics",
         module="vmharness.explicit.contact.friction",
         sound="mu = fd + (fs - fd) * np.exp(-dc * speed) if fs != fd else fs",
@@ -210,7 +210,7 @@ FAULTS = (
     ),
     SolverFault(
         name="friction_without_limit",
-        text="Friction sticks however large it is",
+        text="Friction has no Coulomb limit: nothing slides",
         kind="physics",
         module="vmharness.explicit.contact.friction",
         sound="if k * length <= most:",
@@ -219,7 +219,7 @@ FAULTS = (
     ),
     SolverFault(
         name="contact_thickness_in_full",
-        text="Surfaces touch at the sum of both thicknesses, not at half of it",
+        text="Contact begins at the sum of both thicknesses, not at half of it",
         kind="physics",
         module="vmharness.explicit.contact.projection",
         sound="0.5 * (node[",
@@ -237,7 +237,7 @@ FAULTS = (
     ),
     SolverFault(
         name="contact_stiffness_of_solids_by_volume",
-        text="The penalty stiffness of a solid's face is K A / V, not K A^2 / V",
+        text="The penalty stiffness of a face of a solid is K A / V, not K A^2 / V",
         kind="physics",
         module="vmharness.explicit.contact.surface.facets",
         sound="bulk_modulus(part) * area(model.x0[nodes]) / depth",
@@ -247,7 +247,7 @@ FAULTS = (
     # Rigid bodies and joints
     SolverFault(
         name="joint_moment_sign",
-        text="The forces of joints turn their bodies the wrong way",
+        text="The moment of a joint force about the centre of a body has the wrong sign",
         kind="physics",
         module="vmharness.explicit.rigid.joint_equations",
         sound="angular[b, k] += amount * lever[r, side, k]",
@@ -256,7 +256,7 @@ FAULTS = (
     ),
     SolverFault(
         name="joint_without_centripetal_acceleration",
-        text="Joints leave out the centripetal acceleration of the joined points",
+        text="Joints ignore the centripetal acceleration of the joined points",
         kind="physics",
         module="vmharness.explicit.rigid.joint_equations",
         sound="add(cross(row(alpha, c), arm), cross(w, cross(w, arm)))",
@@ -265,7 +265,7 @@ FAULTS = (
     ),
     SolverFault(
         name="rigid_inertia_about_the_origin",
-        text="The inertia of a rigid body is that about the origin, not about its centre",
+        text="The inertia of a rigid body is taken about the origin, not about its centre of mass",
         kind="physics",
         module="vmharness.explicit.rigid.inertia",
         sound="r = x - centre\n",
@@ -274,7 +274,7 @@ FAULTS = (
     ),
     SolverFault(
         name="gyroscopic_term_off",
-        text="The angular velocity of a body does not follow the turning of its axes within a step",
+        text="The angular velocity of a body ignores the rotation of its axes within a step",
         kind="physics",
         module="vmharness.explicit.rigid.integrate",
         sound="e = rotated_axes(q[b], scale(0.5 * dt, before))",
@@ -283,7 +283,7 @@ FAULTS = (
     ),
     SolverFault(
         name="rigid_moment_arm_sign",
-        text="Forces at the nodes of a rigid body turn it the wrong way",
+        text="The moment of the nodal forces of a rigid body has the wrong sign",
         kind="physics",
         module="vmharness.explicit.rigid.integrate",
         sound="cross(subtract(row(x, i), at), nodal)",
@@ -292,7 +292,7 @@ FAULTS = (
     ),
     SolverFault(
         name="rigid_rotation_halved",
-        text="Nodes of a rigid body are turned by half of its rotation",
+        text="Nodes of a rigid body move with half of its rotation",
         kind="physics",
         module="vmharness.explicit.rigid.integrate",
         sound="rotate_orientation(q[b], scale(dt, w))",
@@ -311,7 +311,7 @@ FAULTS = (
     ),
     SolverFault(
         name="wall_friction_without_limit",
-        text="Nothing slides on a rigid wall with friction",
+        text="Friction of a rigid wall has no Coulomb limit: nothing slides",
         kind="physics",
         module="vmharness.explicit.walls.planar",
         sound="return math.inf if entry.fric == 1.0 else float(entry.fric)",
@@ -320,7 +320,7 @@ FAULTS = (
     ),
     SolverFault(
         name="wall_mass_ignored",
-        text="A moving rigid wall keeps its velocity",
+        text="The mass of a moving rigid wall is ignored: it keeps its velocity",
         kind="physics",
         module="vmharness.explicit.walls.impulse",
         sound="motion[1] = common_velocity(motion[1], inverse_mass, trial, mass, nodes)",
@@ -329,7 +329,7 @@ FAULTS = (
     ),
     SolverFault(
         name="wall_reflects",
-        text="A rigid wall gives nodes back the velocity that they bring",
+        text="A rigid wall reflects nodes with the velocity that they have",
         kind="physics",
         module="vmharness.explicit.walls.impulse",
         sound="normal_impulse = mass[i] * max(0.0, motion[1] - trial[k])",
@@ -339,7 +339,7 @@ FAULTS = (
     # Loads
     SolverFault(
         name="body_load_sign",
-        text="A body load acts along its acceleration, not against it",
+        text="A body load acts in the direction of the base acceleration, not against it",
         kind="physics",
         module="vmharness.explicit.loads.body",
         sound="self.acceleration, -self.sf * self.curve(state.t)",
@@ -348,7 +348,7 @@ FAULTS = (
     ),
     SolverFault(
         name="pressure_by_full_area",
-        text="Each corner of a face takes half of the pressure on it, not a quarter",
+        text="Each corner of a face gets half of the pressure force, not a quarter",
         kind="physics",
         module="vmharness.explicit.loads.segment",
         sound="now = -factor[s] * p * shares[i][j]",
@@ -358,7 +358,7 @@ FAULTS = (
     # Damping
     SolverFault(
         name="mass_damping_halved",
-        text="Mass damping has half of its coefficient",
+        text="Mass damping has half its coefficient",
         kind="physics",
         module="vmharness.explicit.damping.mass",
         sound="damped = (a[i, j] - rate[i, j] * v[i, j]) / (1.0 + 0.5 * dt * rate[i, j])",
@@ -367,7 +367,7 @@ FAULTS = (
     ),
     SolverFault(
         name="stiffness_damping_halved",
-        text="Stiffness damping has half of its coefficient",
+        text="Stiffness damping has half its coefficient",
         kind="physics",
         module="vmharness.explicit.damping.damped_law",
         sound="return beta / dt if dt > 0.0 else 0.0",
@@ -377,7 +377,7 @@ FAULTS = (
     # Energies and quantities read off the model
     SolverFault(
         name="kinetic_energy_at_half_step",
-        text="The kinetic energy shown is that of half a step before",
+        text="The kinetic energy in the output is that of half a step before",
         kind="reading",
         module="vmharness.explicit.energy",
         sound="s.inertia, 0.5 * s.dt",
@@ -385,7 +385,7 @@ FAULTS = (
     ),
     SolverFault(
         name="velocity_at_half_step",
-        text="The velocity shown is that of half a step before",
+        text="The velocity in the output is that of half a step before",
         kind="reading",
         module="vmharness.explicit.probes._quantity",
         sound="s.v[place] + 0.5 * s.dt * s.a[place]",
@@ -394,7 +394,7 @@ FAULTS = (
     # Histories and their readings
     SolverFault(
         name="time_stamp_late",
-        text="Every time is stamped one step late",
+        text="Every output time is one step late",
         kind="reading",
         module="vmharness.backends.builtin.cycles",
         sound="times.append(state.t)",
@@ -402,7 +402,7 @@ FAULTS = (
     ),
     SolverFault(
         name="extremum_at_sample",
-        text="An extremum is taken at its outermost sample",
+        text="An extremum is read at a sample, without interpolation",
         kind="reading",
         module="vmharness.events",
         sound="return [_vertex(time, values, i) for i in",
@@ -410,7 +410,7 @@ FAULTS = (
     ),
     SolverFault(
         name="onset_at_first_sample",
-        text="An onset is taken at the first sample that shows it",
+        text="An onset is read at the first sample after it, without extrapolation",
         kind="reading",
         module="vmharness.events",
         sound="return [_root_beside(time, values, int(i), 1) for i in first]",
@@ -418,7 +418,7 @@ FAULTS = (
     ),
     SolverFault(
         name="value_at_first_sample",
-        text="A value is read at the first sample not before its time, not between samples",
+        text="A value is read at the first sample after its time, without interpolation",
         kind="reading",
         module="vmharness.history",
         sound="return np.asarray(CubicHermiteSpline(time, values, slopes)(t))",

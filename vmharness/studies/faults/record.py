@@ -1,4 +1,4 @@
-"""Which planted faults the results of a case notice: its score, and that of the manual."""
+"""Record of planted faults: which of them the results of a case catch, and which the whole manual catches."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -9,14 +9,12 @@ from vmharness.studies.maker import Maker
 
 
 class Noticed(StrEnum):
-    """What became of a planted fault."""
+    """The effect of a planted fault."""
 
-    CAUGHT = "caught"  # the gate fails
-    MISSED = "missed"  # the run differs, and passes
-    UNSEEN = "not applicable"  # the run is the same to the last bit: the deck has nothing of what is wrong
-    HARMLESS = (
-        "harmless"  # a number of the model, not of the problem, that no result depends on, however wrong
-    )
+    CAUGHT = "caught"  # a result fails, or the run ends early
+    MISSED = "missed"  # the run changes, and passes
+    UNSEEN = "not applicable"  # the run is the same to the last bit: the deck does not use what is wrong
+    HARMLESS = "harmless"  # a wrong number of the model, not of the problem, that makes no result fail
     UNJUDGED = "could not be judged"  # the run was ended from outside
 
 
@@ -28,14 +26,14 @@ class Finding:
     text: str  # what is wrong, in words
     kind: str  # deck, physics, integration, or reading
     noticed: Noticed
-    by: str = ""  # key of the result that is farthest off, where one is
+    by: str = ""  # key of the result with the largest error in tolerances, if there is one
     share: float | None = None  # of its tolerance
-    reason: str = ""  # why there was no such result: refused, diverged
+    reason: str = ""  # why there is no such result: the deck was refused, the run diverged
 
 
 @dataclass(frozen=True)
 class FaultsRecord:
-    """All that was planted in one case."""
+    """The record of `vm faults` for one case."""
 
     case: str
     case_sha256: str  # of its inputs
@@ -44,12 +42,12 @@ class FaultsRecord:
 
     @property
     def caught(self) -> int:
-        """How many faults the gate noticed."""
+        """How many faults are caught."""
         return sum(finding.noticed is Noticed.CAUGHT for finding in self.findings)
 
     @property
     def applicable(self) -> int:
-        """How many faults changed anything that matters."""
+        """How many faults change the run, without the harmless ones."""
         return self.caught + len(self.missed)
 
     @property
@@ -59,17 +57,17 @@ class FaultsRecord:
 
     @property
     def missed(self) -> list[Finding]:
-        """What changed the run, and passed."""
+        """The faults that change the run, and pass."""
         return [finding for finding in self.findings if finding.noticed is Noticed.MISSED]
 
 
 @dataclass(frozen=True)
 class Coverage:
-    """What all the cases together notice of the faults of the solver, which they share."""
+    """The faults of the solver over all cases."""
 
     matrix: dict[str, dict[str, Finding]]  # by name of the fault, then by case
-    missed: list[Finding]  # seen by some case, caught by none: for each the nearest to being caught
-    unseen: list[Finding]  # of what no case has anything
+    missed: list[Finding]  # faults that change a case, but fail none: the finding with the largest error
+    unseen: list[Finding]  # faults that change no case
 
     @property
     def caught(self) -> int:
@@ -78,7 +76,7 @@ class Coverage:
 
 
 def coverage(detections: Sequence[FaultsRecord]) -> Coverage:
-    """The matrix of the solver's faults over the cases, and what no case catches: the manual's to-do list."""
+    """The faults of the solver over the cases, and the faults that no case catches."""
     matrix: dict[str, dict[str, Finding]] = {}
     for detection in detections:
         for finding in detection.findings:

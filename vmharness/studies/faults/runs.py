@@ -1,4 +1,4 @@
-"""Planted faults of a case, in its deck and in the solver, and what its results make of them."""
+"""Runs with planted faults in the deck and in the solver, and the record of which faults are caught."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -10,7 +10,7 @@ from vmharness.case.deck import read_deck
 from vmharness.studies.faults import plant
 from vmharness.studies.faults.deck_faults import (
     OTHER_SIGN,
-    Planted,
+    CaseFault,
     is_of_model,
     parameter_faults,
     support_faults,
@@ -20,35 +20,35 @@ from vmharness.studies.maker import maker
 from vmharness.studies.measured import Measured
 from vmharness.studies.variant import Variant
 
-LONGEST = 3  # a wrong unit makes a run no more than so many times as long: it would only be waited for
+LONGEST = 3  # a run with a wrong unit ends after this multiple of the cycles of the sound run
 
 
 class StudyError(Exception):
-    """A study that cannot be made."""
+    """The study of a case cannot be made."""
 
 
-def planted(case: Case, sound: Measured) -> list[Planted]:
-    """Every fault to plant in a case whose `sound` run is known; raises StudyError unless that passes."""
+def all_faults(case: Case, sound: Measured) -> list[CaseFault]:
+    """Every fault to plant in a case; raises StudyError unless its `sound` run passes."""
     if not sound.passed:
         key = sound.worst[0] if sound.worst else "nothing"
-        raise StudyError(f"{case.id}: does not pass without any fault: {sound.failure or key}")
+        raise StudyError(f"{case.id}: the run without a fault does not pass: {sound.failure or key}")
     return [*parameter_faults(case, LONGEST * sound.cycles), *support_faults(case), *solver_faults(case)]
 
 
-def solver_faults(case: Case) -> list[Planted]:
-    """The faults of the solver that the deck has something of."""
+def solver_faults(case: Case) -> list[CaseFault]:
+    """The faults of the solver that can change a run of this deck, as its keywords show."""
     names = {entry.keyword.name for entry in read_deck(case).entries}
     return [
-        Planted(fault.name, fault.text, fault.kind, Variant(case, fault.name, fault.digest))
+        CaseFault(fault.name, fault.text, fault.kind, Variant(case, fault.name, fault.digest))
         for fault in plant.faults()
         if not fault.keywords or any(name.startswith(fault.keywords) for name in names)
     ]
 
 
 def record(
-    case: Case, sound: Measured, faults: Sequence[Planted], outcomes: Sequence[Measured]
+    case: Case, sound: Measured, faults: Sequence[CaseFault], outcomes: Sequence[Measured]
 ) -> FaultsRecord:
-    """What the results of a case make of each fault, and of those that its deck has nothing of, which are not run."""
+    """The record of all faults of a case; faults that its deck cannot show are not run, and count as unseen."""
     found = [finding(fault, sound, outcome) for fault, outcome in zip(faults, outcomes, strict=True)]
     run = {fault.name for fault in faults}
     unseen = [fault for fault in plant.faults() if fault.name not in run]
@@ -64,14 +64,17 @@ def record(
 
 
 def _is_idle(case: Case, name: str, found: Sequence[Finding]) -> bool:
-    """Whether a parameter is of the model alone, and every change of it passes, the wrong unit included."""
+    """Whether a parameter describes the model alone, and no change of it fails except that of its sign."""
     own = [one for one in found if one.kind == "deck" and one.fault.partition(" ")[0] == name]
     passed = [one.noticed is not Noticed.CAUGHT for one in own if one.fault != f"{name} {OTHER_SIGN}"]
     return is_of_model(case, f"parameter {name}") and all(passed)
 
 
-def finding(fault: Planted, sound: Measured, outcome: Measured) -> Finding:
-    """Caught, missed, without effect or not judged; raises StudyError where the fault could not be planted."""
+def finding(fault: CaseFault, sound: Measured, outcome: Measured) -> Finding:
+    """Whether a fault is caught, missed, without any effect or not judged.
+
+    Raises StudyError if the fault could not be planted.
+    """
     if outcome.lost:
         return Finding(fault.name, fault.text, fault.kind, Noticed.UNJUDGED, reason=outcome.failure)
     if outcome.failure.startswith("defect: "):

@@ -1,4 +1,4 @@
-"""The record of a sweep: how the results keep to their tolerances over a region of the given data."""
+"""Record of a sweep: the share of its tolerance that each result uses over a region of the given data."""
 
 import math
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ from vmharness.studies.maker import Maker
 
 @dataclass(frozen=True)
 class Worst:
-    """Where a result uses most of its tolerance."""
+    """The point at which a result uses the largest share of its tolerance."""
 
     key: str
     label: str
@@ -20,7 +20,7 @@ class Worst:
 
 @dataclass(frozen=True)
 class Failing:
-    """A point that fails, the simpler one that it was shrunk to, and how to run that."""
+    """A point that fails, the simplest point that fails, too, and the command that runs it."""
 
     at: dict[str, float]
     simpler: dict[str, float]
@@ -30,7 +30,7 @@ class Failing:
 
 @dataclass(frozen=True)
 class SweepRecord:
-    """All that `vm sweep` finds out about a case."""
+    """The record of `vm sweep`."""
 
     case: str
     case_sha256: str  # of its inputs
@@ -41,13 +41,13 @@ class SweepRecord:
     data: dict[str, list[float]]  # by name: of every point
     shares: dict[str, list[float | None]]  # by key of the result: at every point
     results: list[Worst]
-    unjudged: dict[int, str]  # number of the point: why it could not be judged
+    unjudged: dict[int, str]  # by number of the point: why it has no verdict
     failing: Failing | None  # the worst of them
     made_by: Maker | None = None  # None in records of before it was kept
 
     @property
     def points(self) -> int:
-        """How many there are."""
+        """The number of points."""
         return len(next(iter(self.data.values())))
 
     @property

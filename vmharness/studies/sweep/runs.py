@@ -1,4 +1,4 @@
-"""Points of a sweep as variants of a case, and the record of what they gave."""
+"""Runs of a case at the points of a sweep, and the record of their results."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -16,40 +16,40 @@ from vmharness.studies.sweep.sampling import Point
 from vmharness.studies.sweep.shrink import shrink
 from vmharness.studies.variant import Variant
 
-SIMPLER = "simpler points that might fail"
+SIMPLER = "simpler points that may fail"
 SHARE_DIGITS = 4
-MOST = 100_000  # points of a grid, before its constraints: more would run for days
-Gather = Callable[[Sequence[Variant], str], Sequence[Measured]]  # of variants, and what they are for
+MOST = 100_000  # points of a grid, before the constraints: more would run for days
+Gather = Callable[[Sequence[Variant], str], Sequence[Measured]]  # runs variants; the text is their purpose
 
 
 def points(case: Case, count: int | None, seed: int, grid: int | None) -> tuple[list[Point], str]:
-    """The points of the sweep, each datum in its unit, and in words how they were chosen.
+    """The points of the sweep, each datum in its unit, and how they were chosen, in words.
 
-    A `grid` has so many values of each datum. Raises CaseError where no point meets the constraints, or a grid is of
-    more than MOST points.
+    A `grid` has that many values of each datum. Raises CaseError if no point meets the constraints, or a grid has more
+    than MOST points.
     """
     plan = plan_of(case)
     if grid is not None:
         if (size := grid ** len(plan.ranges)) > MOST:
             raise CaseError(
                 f"{case.id}: a grid of {grid} values of {len(plan.ranges)} data has {size:.2g} points, "
-                f"which is more than {MOST}; -n takes a Latin hypercube of N points"
+                f"more than {MOST}; use -n N for a Latin hypercube of N points"
             )
         found = [point for point in sampling.grid(plan.ranges, grid) if _accepted(case, plan, point)]
-        how = f"{len(found)} points of a grid of {grid} values a datum"
+        how = f"{len(found)} points of a grid with {grid} values of each datum"
     else:
         wanted = count or plan.points
         found = sampling.sampled(plan.ranges, wanted, seed, lambda point: _accepted(case, plan, point))
         how = f"{len(found)} points of a Latin hypercube, seed {seed}"
     if not found:
-        raise CaseError(f"{case.id}: [sweep]: no point of the region meets its constraints")
+        raise CaseError(f"{case.id}: [sweep]: no point of the region meets the constraints")
     return found, how
 
 
 def record(case: Case, found: Sequence[Point], how: str, gather: Gather, again: str = "") -> SweepRecord:
-    """The record of the points' outcomes, with the worst failing one shrunk; `gather` runs variants.
+    """The record of all points; the worst failing point is made simpler. `gather` runs variants.
 
-    `again` is the command that runs the case alone.
+    `again` is the command that runs the case.
     """
     plan = plan_of(case)
     outcomes = measure(case, found, gather, "sweep")
@@ -72,7 +72,7 @@ def record(case: Case, found: Sequence[Point], how: str, gather: Gather, again: 
 
 
 def measure(case: Case, found: Sequence[Point], gather: Gather, what: str) -> list[Measured]:
-    """The outcome at each point; where theory has no value, that is the failure."""
+    """The outcome at each point; a point where theory has no value is a failure."""
     variants: dict[int, Variant] = {}
     outcomes: dict[int, Measured] = {}
     for number, point in enumerate(found):
@@ -85,7 +85,7 @@ def measure(case: Case, found: Sequence[Point], gather: Gather, what: str) -> li
 
 
 def settings(case: Case, point: Point) -> Point:
-    """The data of a point and those that follow from them, each in its unit, these to six digits."""
+    """The data of a point, and those that follow from them to six digits, each in its unit."""
     plan = plan_of(case)
     there = with_settings(case, point) if point else case
     follow = {}
@@ -98,12 +98,12 @@ def settings(case: Case, point: Point) -> Point:
 def plan_of(case: Case) -> Sweep:
     """[sweep] of the case; raises CaseError without one."""
     if case.file.sweep is None:
-        raise CaseError(f"{case.id}: has no [sweep]: nothing says which data may vary, and how far")
+        raise CaseError(f"{case.id}: case.toml has no [sweep] table, which gives the ranges of the data")
     return case.file.sweep
 
 
 def _accepted(case: Case, plan: Sweep, point: Point) -> bool:
-    """No constraint that has a value at the point is broken; one that has none is kept, to be complained about."""
+    """Whether a point meets all constraints that have a value there; the others are reported later."""
     factors = {name: case.units.factor(case.file.given[name].unit) for name in point}
     known = {**case.given, **{name: value * factors[name] for name, value in point.items()}}
     for name in case.file.theory:
@@ -117,7 +117,7 @@ def _accepted(case: Case, plan: Sweep, point: Point) -> bool:
 
 
 def _value(case: Case, name: str, known: Point) -> float | None:
-    """Of a formula; None where the data give it none, or it needs a line of the theory that has none."""
+    """The value of a formula; None if it has none for these data."""
     formula = case.formulas[name]
     if not formula.names <= known.keys():
         return None
@@ -139,7 +139,7 @@ def _used(value: Value) -> float | None:
 
 
 def _worst(key: str, label: str, found: Sequence[Point], outcomes: Sequence[Measured]) -> Worst:
-    """Over the points that could be judged."""
+    """The point with the largest share, among those with a verdict."""
     judged = [i for i, outcome in enumerate(outcomes) if not outcome.failure]
     results = {i: outcomes[i].results[key] for i in judged}
     failed = sum(value.verdict != "pass" for value in results.values())
@@ -151,7 +151,7 @@ def _worst(key: str, label: str, found: Sequence[Point], outcomes: Sequence[Meas
 
 
 def _shrunk(case: Case, record: SweepRecord, found: Sequence[Point], gather: Gather, command: str) -> Failing:
-    """The worst failing point, made simpler as long as the same result fails."""
+    """The worst failing point, and the simplest point at which the same result fails."""
     worst = largest(record.failed, lambda i: worst_share(record, i))
     key = largest(record.shares, lambda key: _size(record.shares[key][worst]))
     plan = plan_of(case)

@@ -1,4 +1,4 @@
-"""Points in a box of data: Latin hypercube and grid, the same for the same seed."""
+"""Points in ranges of data: Latin hypercube and grid; equal seeds give equal points."""
 
 import itertools
 from collections.abc import Callable, Iterator, Mapping
@@ -11,12 +11,12 @@ from vmharness.round_off import rounded
 Range = tuple[float, float]
 Point = dict[str, float]
 
-DECADE = 10.0  # a range of one sign that spans this factor is sampled in its logarithm
-DIGITS = 4  # significant ones of a sampled datum, so that it can be typed
+DECADE = 10.0  # a positive range that spans this factor is sampled in its logarithm
+DIGITS = 4  # significant digits of a sampled datum, so that it can be typed
 
 
 def latin_hypercube(ranges: Mapping[str, Range], count: int, generator: np.random.Generator) -> list[Point]:
-    """`count` points such that each datum has one value in every `count`-th part of its range.
+    """`count` points: each datum has one value in each of `count` equal parts of its range.
 
     (M. D. McKay, R. J. Beckman, W. J. Conover, Technometrics 21 (1979), pp. 239-245.)
     """
@@ -27,7 +27,7 @@ def latin_hypercube(ranges: Mapping[str, Range], count: int, generator: np.rando
 
 
 def grid(ranges: Mapping[str, Range], count: int) -> list[Point]:
-    """The points that have each datum at one of `count` places, both ends of its range among them."""
+    """All points with each datum at one of `count` equally spaced values, both ends of its range included."""
     places = np.linspace(0.0, 1.0, count)
     lines = [[within(ends, float(place)) for place in places] for ends in ranges.values()]
     return [dict(zip(ranges, values, strict=True)) for values in itertools.product(*lines)]
@@ -36,10 +36,7 @@ def grid(ranges: Mapping[str, Range], count: int) -> list[Point]:
 def sampled(
     ranges: Mapping[str, Range], count: int, seed: int, accepted: Callable[[Point], bool]
 ) -> list[Point]:
-    """Up to `count` accepted points: of one hypercube, then of others for those that were not.
-
-    After twenty hypercubes there are as many as there are.
-    """
+    """Up to `count` accepted points, from one hypercube after the other, twenty at most."""
     return list(itertools.islice(_accepted(ranges, count, seed, accepted), count))
 
 
@@ -52,7 +49,7 @@ def _accepted(
 
 
 def within(ends: Range, place: float) -> float:
-    """The value at `place` (0 to 1) of a range, rounded to few digits but never beyond its ends.
+    """The value at `place` (0 to 1) of a range, rounded to DIGITS digits, within its ends.
 
     >>> within((0.0, 3.0), 0.5), within((1.0, 1e4), 0.5), within((2.0, 3.0), 1.0)
     (1.5, 100.0, 3.0)

@@ -1,4 +1,4 @@
-"""A failing point made simpler, as long as it fails: the fewer data differ from the case's own, the better."""
+"""The simplest failing point: as few data as possible differ from those of the case."""
 
 from collections.abc import Callable, Mapping, Sequence
 
@@ -7,14 +7,14 @@ from vmharness.studies.sweep.sampling import DIGITS, Point
 
 Fails = Callable[[Sequence[Point]], Sequence[bool]]
 
-ROUNDS = 40  # steps at most
+ROUNDS = 40  # largest number of steps
 
 
 def shrink(point: Point, own: Mapping[str, float], fails: Fails) -> Point:
-    """The data that still differ from the case's `own`, after each step that `fails` lets pass has been taken.
+    """The data of the simplest point that differ from the case's `own`; a step is kept if its point still fails.
 
-    A step is a datum back to its own value; where none can go back, fewer digits of one; else one half-way back. All
-    steps of a kind are asked for at once, and the first that still fails is taken.
+    A step sets one datum to the value of the case; if no such point fails, one datum gets fewer digits; else one datum
+    goes half-way to the value of the case. All steps of a kind are run together, and the first that fails is kept.
     """
     found = {name: value for name, value in point.items() if value != own[name]}
     for _ in range(ROUNDS):
@@ -32,12 +32,12 @@ def _first(attempts: Sequence[Point], fails: Fails) -> Point | None:
 
 
 def _without(point: Point, own: Mapping[str, float]) -> list[Point]:
-    """One datum less, as long as one is left."""
+    """Points with one datum less, if more than one is left."""
     return [{k: v for k, v in point.items() if k != name} for name in point] if len(point) > 1 else []
 
 
 def _shorter(point: Point, own: Mapping[str, float]) -> list[Point]:
-    """One datum with fewer digits, the fewest first."""
+    """Points with fewer digits of one datum, the fewest first."""
     return [
         {**point, name: short}
         for name, value in point.items()
@@ -47,7 +47,7 @@ def _shorter(point: Point, own: Mapping[str, float]) -> list[Point]:
 
 
 def _nearer(point: Point, own: Mapping[str, float]) -> list[Point]:
-    """One datum half-way back."""
+    """Points with one datum half-way to the value of the case."""
     return [
         {**point, name: half}
         for name, value in point.items()
