@@ -64,7 +64,7 @@ def page(tmp_path, result_row):
 def test_a_page_is_the_same_text_on_another_machine(id, page, other_machine):
     here = page(id)
     first = read(CASES / id).file.results[0].key
-    assert f"{first} uses the most of its own, 37 %" in here
+    assert f"{first} uses the largest share of its tolerance, 37 %" in here
     for seed in range(2):
         other_machine(seed)
         generator = np.random.default_rng(seed)
@@ -102,7 +102,7 @@ def test_a_share_that_is_round_off_is_called_so(good):
     assert wording.used(at(row, 3e-13, 1e-6)) == "<1 %"  # it is, whatever the last bits
     exact = replace(good, rows=tuple(at(row, 3e-13, 5e-12) for row in good.rows))
     assert wording.summary(exact).endswith(
-        "within their tolerances; their distances from theory are round-off."
+        "within their tolerances. Their differences from theory are round-off."
     )
 
 
