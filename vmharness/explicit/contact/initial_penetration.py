@@ -89,7 +89,7 @@ def ways_out(
             if segment["two_sided"]:
                 if half - distance > ROUND_OFF * size(c):
                     to = scale(half / distance - 1.0, away) if distance > 0.0 else scale(half, n)
-                    ways[t] = to
+                    ways[t, 0], ways[t, 1], ways[t, 2] = to
             else:
                 xi, eta, height, _ = height_over(segment["triangle"], c, p, xi, eta)
                 depth = half - height  # beyond the depth of release it is the far side of the same solid
@@ -97,5 +97,5 @@ def ways_out(
                     ROUND_OFF * size(c) < depth <= segment["release"]
                     and beyond(segment["triangle"], xi, eta) <= maxpar - 1.0
                 ):
-                    ways[t] = scale(depth, n)
+                    ways[t, 0], ways[t, 1], ways[t, 2] = scale(depth, n)
     return ways

@@ -17,7 +17,10 @@ SAME = 1e-9  # of a distance: the point on a common border is equally near from 
 @kernel
 def find_neighbours(nodes: Index) -> tuple[Index, Index]:
     """For segments (ns, 4): those that share a node with segment s are found[first[s] : first[s + 1]], in order."""
-    segments, rows = nodes.shape[0], nodes.max() + 1
+    segments, rows = nodes.shape[0], 0
+    for s in range(segments):
+        for i in range(4):
+            rows = max(rows, nodes[s, i] + 1)
     start = np.zeros(rows + 1, np.intp)
     for s in range(segments):
         for i in range(4):
@@ -30,14 +33,25 @@ def find_neighbours(nodes: Index) -> tuple[Index, Index]:
             around[fill[nodes[s, i]]] = s
             fill[nodes[s, i]] += 1
 
-    first, found = np.zeros(segments + 1, np.intp), [0 for _ in range(0)]
-    for s in range(segments):
-        for i in range(4):
-            for other in around[start[nodes[s, i]] : start[nodes[s, i] + 1]]:
-                if other != s and other not in found[first[s] :]:
-                    found.append(other)
-        first[s + 1] = len(found)
-    return first, np.array(found, np.intp)
+    first, found = np.zeros(segments + 1, np.intp), np.empty(0, np.intp)
+    last = np.zeros(segments, np.intp)  # what each segment was last found by
+    for sweep in range(2):  # count, then fill
+        count = 0
+        for s in range(segments):
+            finder = 2 * s + sweep + 1
+            last[s] = finder
+            for i in range(4):
+                for k in range(start[nodes[s, i]], start[nodes[s, i] + 1]):
+                    other = around[k]
+                    if last[other] != finder:
+                        last[other] = finder
+                        if sweep == 1:
+                            found[count] = other
+                        count += 1
+            first[s + 1] = count
+        if sweep == 0:
+            found = np.empty(count, np.intp)
+    return first, found
 
 
 @uncounted

@@ -9,7 +9,7 @@ import numba
 from vmharness.explicit.kernels.kept import Kept
 
 # NaN stays NaN and operations keep their order ("contract" only fuses a*b + c); division by zero gives inf.
-OPTIONS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}}
+OPTIONS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}, "no_cfunc_wrapper": True}
 # For kernels that neither make nor return arrays: those that they are given are not counted as they are handed on,
 # which takes 10 ns each time.
 UNCOUNTED: dict[str, Any] = {**OPTIONS, "_nrt": False}
