@@ -1,1 +1,1 @@
-"""Elements, one formulation a file or folder. Contract of a module: `NAME`, and `build(deck, model)`, which adds them."""
+"""Elements, one formulation a file or folder. Contract of a module: `NAME`, `build(deck, model)`, which adds them."""
