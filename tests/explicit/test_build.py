@@ -109,18 +109,27 @@ def modules_of(folder: Path) -> list[Path]:
     )
 
 
-def renamed_backwards(package: Path) -> None:
+def rename_backwards(package: Path) -> None:
     """Rename the drop-ins of a copy of the package so that their alphabetical order is reversed."""
-    new_names = {}
     for folder in ("explicit/elements", "explicit/contact/kinds", "explicit/loads"):
+        prefix = "vmharness." + folder.replace("/", ".")
+        new = {}
         for place, path in enumerate(reversed(modules_of(package / folder))):
-            new = path.with_name(f"renamed_{place}{path.suffix}")
-            path.rename(new)
-            prefix = "vmharness." + folder.replace("/", ".")
-            new_names[f"{prefix}.{path.stem}"] = f"{prefix}.{new.stem}"
-    pattern = re.compile("|".join(rf"{re.escape(old)}(?![\w])" for old in new_names))
-    for path in package.rglob("*.py"):
-        path.write_text(pattern.sub(lambda found: new_names[found.group()], path.read_text()))
+            new[path.stem] = f"renamed_{place}"
+            path.rename(path.with_name(new[path.stem] + path.suffix))
+        for path in package.rglob("*.py"):
+            path.write_text(with_new_names(path.read_text(), prefix, new))
+
+
+def with_new_names(source: str, prefix: str, new: dict[str, str]) -> str:
+    """The source with its imports from `prefix` changed: `prefix.old` and `from prefix import old, ...`."""
+    dotted = re.compile(rf"{re.escape(prefix)}\.({'|'.join(new)})\b")
+    source = dotted.sub(lambda found: f"{prefix}.{new[found[1]]}", source)
+    names = re.compile(rf"(?<=from {re.escape(prefix)} import ).*")
+    old = re.compile(rf"\b({'|'.join(new)})\b")
+    return names.sub(
+        lambda found: old.sub(lambda name: f"{new[name[1]]} as {name[1]}", found.group()), source
+    )
 
 
 def results(root: Path, deck: Path) -> str:
@@ -134,7 +143,7 @@ def test_names_of_files_have_no_effect_on_order_facts_and_bits(tmp_path):
     deck.write_text(DECK)
     ignored = shutil.ignore_patterns("__pycache__")
     shutil.copytree(PACKAGE, tmp_path / "vmharness", ignore=ignored)
-    renamed_backwards(tmp_path / "vmharness")
+    rename_backwards(tmp_path / "vmharness")
     sound = results(PACKAGE.parent, deck)
     assert sound.startswith("True")
     assert "shells of part 1" in sound

@@ -5,7 +5,8 @@ import pytest
 from vmharness.backends import builtin
 from vmharness.case import read
 from vmharness.case.deck import read_deck
-from vmharness.deck import DeckError
+from vmharness.deck import DeckError, Entry, vocabulary
+from vmharness.deck import read as read_keywords
 from vmharness.solve import solve
 from vmharness.studies.changed_deck import with_entries, with_step
 
@@ -19,6 +20,12 @@ def test_the_time_step_is_scaled_through_the_deck(id):
     tssfac = read_deck(with_step(case, 0.5)).one("CONTROL_TIMESTEP").tssfac
     assert tssfac == pytest.approx(0.45)
     assert len(read_deck(with_step(case, 0.5)).all("NODE")) == len(deck.all("NODE"))
+
+
+def test_an_entry_of_defaults_is_what_a_blank_card_gives(tmp_path):
+    (tmp_path / "deck.k").write_text("*KEYWORD\n*CONTROL_TIMESTEP\n\n*END\n")
+    blank = read_keywords(tmp_path / "deck.k", vocabulary()).one("CONTROL_TIMESTEP")
+    assert Entry.of_defaults(blank.keyword).values == blank.values
 
 
 def test_half_the_step_takes_twice_the_cycles(ball):

@@ -20,6 +20,12 @@ class Entry:
     values: dict[str, Any] = field(default_factory=dict)
     lines: dict[str, int | Sequence[int]] = field(default_factory=dict)  # of the fields that were read
 
+    @classmethod
+    def of_defaults(cls, keyword: Keyword) -> "Entry":
+        """An entry that stands in no deck: every field has its default, and is written with the entry."""
+        values = {name: value for card in keyword.cards for name, value in card.defaults().items()}
+        return cls(keyword, keyword.name, "", 0, values=values, lines=dict.fromkeys(values, 0))
+
     def __getattr__(self, name: str) -> Any:
         """The value of a field: a number or a text, or an array for a field of rows."""
         if name.startswith("__"):

@@ -1,23 +1,28 @@
-"""The built-in solver: keywords -> model -> time loop -> states.
+"""The built-in solver: explicit dynamics by central differences, from a deck to states.
 
-    model.py  loop.py  integrate.py  state.py    a deck as arrays; the method; its kernels; what moves
-    force.py  constraint.py                      the two kinds of things that the loop knows
-    energy.py  balance.py  probes/               what is watched and read off, outside the loop
+    build.py        a deck -> its model; the order of the passes, with reasons
+    loop.py         the method: forces -> accelerations -> velocities -> positions
+    force.py        what the loop asks of a force: elements, contacts, loads
+    constraint.py   what the loop asks of a constraint: supports, motions, damping, walls, rigid bodies
+    energy.py       energies, their ratio, and the check of their balance
+    error.py        the error that ends a run
 
-Some folders are lists: each file or folder in one is a formulation with its keywords, and is found there.
+Rooms by theory:
 
-    elements  materials  contacts  loads  constraints  walls  bodies  initial  damping  timestep
+    model        nodes, parts, sets and curves of the deck as arrays; the state
+    kernels      compilation and its cache; vectors, rotations, threads, elements side by side
+    elements     beams, shells, solids, springs and dampers, masses        (drop-ins, by formulation)
+    materials    constitutive laws for each state of stress                (drop-ins, by law)
+    contact      penalty contact: search, force, friction; contact/kinds   (drop-ins, by kind)
+    loads        body loads, nodal loads, pressure                         (drop-ins, by kind)
+    probes       quantities of a running model                             (drop-ins, by kind)
+    rigid        rigid bodies and their joints
+    walls        planar rigid walls
+    constraints  supports and prescribed motions
+    initial      velocities at t = 0
+    damping      mass damping and stiffness damping
+    timestep     limits of the step, mass scaling
 
-The others hold mechanics that the formulations of a list share.
-
-    shell  hexahedron     elements: of shells, of solids
-    plasticity            materials: yield and return
-    contact               contacts: from the cards of a keyword to its force
-    surface               contacts: faces, thickness and stiffness of the deck's surfaces
-    penalty               contacts: search, force, friction, step
-    rigid                 bodies: motion of rigid bodies, and their joints
-
-What many of them read of the deck: parts.py, material.py, sets.py, curve.py, dof.py; shells.py, solids.py, beams.py.
-What kernels are made of: compiled.py, threads.py, vector.py, turn.py, lanes.py, segment.py.
-How their compiled forms are kept: cache.py, kept.py, meaning.py.
+A drop-in is a file or folder that is found by being there: nothing else names it. What it must define is written in
+the docstring of its folder and checked at import. Its file name has no effect.
 """

@@ -1,25 +1,23 @@
-"""A constraint rules the motion of nodes: supports, prescribed motion, rigid bodies, rigid walls."""
+"""A constraint determines or changes the motion of nodes: supports, motions, damping, rigid walls, rigid bodies."""
 
 from typing import Protocol
 
-import numpy as np
-from numpy.typing import NDArray
-
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.model.state import Array, Flags, State
 
 
 class Constraint(Protocol):
     """What the time loop asks of a constraint.
 
-    `energy` holds the work that it does on the nodes, as "external work", where it moves them.
+    `energy` maps names of energies to arrays of one number: "external work", if the constraint moves nodes, "damping",
+    "rigid wall".
     """
 
     name: str
     energy: dict[str, Array]
-    fixed: NDArray[np.bool_]  # (n, 6) degrees of freedom that need no mass, since the constraint moves them
+    fixed: Flags  # (n, 6) degrees of freedom that need no mass, since the constraint moves them
 
     def accelerate(self, state: State) -> None:
-        """Change `state.a` and `state.alpha` at t_n so that the constraint holds; keep the reaction."""
+        """Change `state.a` and `state.alpha` at t_n so that the constraint holds, and store the reaction."""
 
     def move(self, state: State, dt: float) -> None:
-        """Change `state.v` and `state.omega` at t_{n+1/2}, for the step `dt` that follows."""
+        """Change `state.v` and `state.omega` at t_{n+1/2} so that the constraint holds after the next step `dt`."""

@@ -25,9 +25,7 @@ class KineticEnergy:
 
     def __init__(self, state: State) -> None:
         self.state, self.cycle, self.value = state, -1, 0.0
-        self.others: list[
-            Array
-        ] = []  # accounts (1,) of the rotation of rigid bodies: no inertia of the state has it
+        self.others: list[Array] = []  # accounts (1,) of the rotation of rigid bodies, which add theirs
 
     def __call__(self) -> float:
         """1/2 sum m v_n^2 + I omega_n^2; valid while the time loop yields its state."""
@@ -43,9 +41,8 @@ def _kinetic(
 ) -> float:
     twice = 0.0
     for i in range(v.shape[0]):
-        v2 = omega2 = (
-            0.0  # sums of a node: with one sum over all nodes each term would wait for the one before
-        )
+        # Sums of one node: with one sum over all nodes each term would wait for the term before.
+        v2 = omega2 = 0.0
         for j in range(3):
             v2 += (v[i, j] + half * a[i, j]) ** 2
             omega2 += (omega[i, j] + half * alpha[i, j]) ** 2

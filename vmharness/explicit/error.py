@@ -1,10 +1,10 @@
-"""What ends a run before its time."""
+"""The error that ends a run."""
 
 from vmharness.explicit.model.state import State
 
 
 class SolverError(Exception):
-    """The run cannot go on: at which time and cycle, why, and where."""
+    """A run that cannot continue; the message has time, cycle, reason and place."""
 
     def __init__(self, state: State, what: str, where: str = "") -> None:
         self.t, self.cycle = state.t, state.cycle

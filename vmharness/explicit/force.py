@@ -61,7 +61,7 @@ class Scalable(Elements, Protocol):
 
 @runtime_checkable
 class Dampable(Elements, Protocol):
-    """Elements that take stiffness damping: explicit/damping/stiffness."""
+    """Elements that take stiffness damping: damping/stiffness.py."""
 
     def steps(self, x: Array) -> Array:
         """The stable step (ne,) of each element at coordinates `x` (n, 3), undamped."""

@@ -52,13 +52,12 @@ def contact_scales(case: Case) -> list[float]:
 
 
 def _scaled(deck: Deck, factor: float) -> list[Entry]:
-    control = deck.first(CONTROL_TIMESTEP)
-    if control is None:
-        default = {"tssfac": 0.9 * factor, **dict.fromkeys(["dtinit", "tslimt", "dt2ms"], 0.0)}
-        default |= dict.fromkeys(["isdo", "lctm", "erode", "ms1st"], 0)
-        return [Entry(CONTROL_TIMESTEP, "CONTROL_TIMESTEP", "", 0, "", default, {"tssfac": 0}), *deck.entries]
+    found = deck.first(CONTROL_TIMESTEP)
+    control = found or Entry.of_defaults(CONTROL_TIMESTEP)
     if control.lctm:
         raise control.error("lctm", "a step that follows a curve is not scaled")
     scaled = {"tssfac": factor * control.tssfac, "dtinit": factor * control.dtinit}
     other = replace(control, values={**control.values, **scaled})
-    return [other if entry is control else entry for entry in deck.entries]
+    if found is None:
+        return [other, *deck.entries]
+    return [other if entry is found else entry for entry in deck.entries]

@@ -21,7 +21,7 @@ Damping, VDC in percent of critical
     c = VDC/100 * 2 m w      w = sqrt(k (m_s + m_m)/(m_s m_m))      m = min(m_s, m_m)
 
 m_s is the node's mass, m_m that of the segment at the contact point, sum N_i m_i; nodes of rigid bodies have shares of
-the body's mass (rigid/bearing.py). A segment without mass is held, as is one that is much heavier: then
+the body's mass (rigid/mass_shares.py). A segment without mass is held, as is one that is much heavier: then
 c = VDC/100 * 2 sqrt(k m_s), the critical damping of the node on its spring. Damping acts on the velocity of the gap at
 t_n, v_{n-1/2} + dt/2 a_{n-1}, which keeps the order of the time integration.
 

@@ -1,1 +1,1 @@
-"""Element formulations, one a file; the folder is the list."""
+"""Elements, one formulation a file or folder. Contract of a module: `NAME`, `build(deck, model)`, which adds them."""

@@ -1,1 +1,1 @@
-"""What kernels are made of: compilation and its cache, threads, vectors, rotations, elements side by side."""
+"""Compilation of kernels and its cache, threads, vectors, rotations, elements side by side."""

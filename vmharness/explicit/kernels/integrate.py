@@ -1,4 +1,4 @@
-"""The steps of the time loop over all nodes, as kernels. Arrays are (n, 3), inverse masses (n,)."""
+"""The updates of the time loop over all nodes, as kernels. Arrays are (n, 3), inverse masses (n,)."""
 
 from vmharness.explicit.kernels.compiled import concurrent, kernel
 from vmharness.explicit.model.state import Array
@@ -6,7 +6,7 @@ from vmharness.explicit.model.state import Array
 
 @kernel
 def clear(f: Array, moment: Array) -> None:
-    """f = 0, moment = 0."""
+    """Set f = 0, moment = 0."""
     for i in range(f.shape[0]):
         for j in range(3):
             f[i, j] = 0.0
@@ -17,9 +17,9 @@ def clear(f: Array, moment: Array) -> None:
 def accelerate(
     a: Array, alpha: Array, f: Array, moment: Array, inverse_mass: Array, inverse_inertia: Array
 ) -> float:
-    """a = f/m, alpha = moment/inertia; a node without inertia does not turn.
+    """Set a = f/m, alpha = moment/inertia; a node without inertia has no angular acceleration.
 
-    Returns the sum of all squares of a and alpha, which is finite as long as the run is.
+    Return the sum of all squares of a and alpha, which is finite as long as all of them are.
     """
     size = 0.0
     for i in range(f.shape[0]):
@@ -32,7 +32,7 @@ def accelerate(
 
 @concurrent
 def advance_velocity(v: Array, omega: Array, a: Array, alpha: Array, dt: float) -> None:
-    """v += dt a, omega += dt alpha."""
+    """Add dt a to v, and dt alpha to omega."""
     for i in range(v.shape[0]):
         for j in range(3):
             v[i, j] += dt * a[i, j]
@@ -41,7 +41,7 @@ def advance_velocity(v: Array, omega: Array, a: Array, alpha: Array, dt: float) 
 
 @concurrent
 def advance_position(x: Array, v: Array, dt: float) -> None:
-    """x += dt v."""
+    """Add dt v to x."""
     for i in range(x.shape[0]):
         for j in range(3):
             x[i, j] += dt * v[i, j]

@@ -1,9 +1,9 @@
-"""How the nodal values of several elements lie side by side, so that one instruction serves them all.
+"""Vector instructions (SIMD): the nodal values of several elements are stored side by side.
 
-A stage of a step works on LANES elements at a time. Row r of element e is work[r * LANES + e] in one flat
-buffer: with constant offsets into one array the compiler sees that rows do not overlap, and makes vector
-instructions of every loop over e. Arrays per element are kept in this order too. The nodes' vectors take
-consecutive rows: node 1 x, y, z, node 2 x, y, z, ...
+A stage of a step works on LANES elements at a time. Row r of element e is work[r * LANES + e] in one flat buffer. With
+constant offsets into one array the compiler knows that rows do not overlap, and makes vector instructions of every loop
+over e. Arrays of element quantities have the same order. The vectors of nodes have consecutive rows: node 1 x, y, z,
+node 2 x, y, z, ...
 """
 
 import numpy as np
@@ -12,18 +12,18 @@ from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.vector import Vector, inlined
 from vmharness.explicit.model.state import Array, Index
 
-LANES = 16  # LLVM does not vectorise shorter loops when it has to check that arrays are apart
+LANES = 16  # LLVM does not vectorise shorter loops if it has to check whether arrays overlap
 
 
 @inlined
 def vector(work: Array, row: int, e: int) -> Vector:
-    """Three rows of element e."""
+    """The vector in three rows of element e."""
     return work[row * LANES + e], work[(row + 1) * LANES + e], work[(row + 2) * LANES + e]
 
 
 @inlined
 def put(work: Array, row: int, e: int, a: Vector) -> None:
-    """Store three rows of element e."""
+    """Store a vector in three rows of element e."""
     work[row * LANES + e] = a[0]
     work[(row + 1) * LANES + e] = a[1]
     work[(row + 2) * LANES + e] = a[2]
@@ -41,7 +41,7 @@ def gather(field: Array, nodes: Index, work: Array, row: int) -> None:
 
 @kernel
 def scatter(field: Array, nodes: Index, count: int, work: Array, row: int) -> None:
-    """Subtract internal forces (or moments) from a field (n, 3), element after element: the same sum every run."""
+    """Subtract internal forces (or moments) from a field (n, 3), in the order of elements: sums are reproducible."""
     for e in range(count):
         for i in range(nodes.size // LANES):
             node = nodes[i * LANES + e]
@@ -50,7 +50,7 @@ def scatter(field: Array, nodes: Index, count: int, work: Array, row: int) -> No
 
 
 def by_block(a: Array) -> Array:
-    """(ne, ..., k) -> (blocks, ..., k rows of LANES); the last element is repeated to fill its block.
+    """Rearrange (ne, ..., k) to (blocks, ..., k rows of LANES); the last element is repeated to fill its block.
 
     >>> by_block(np.array([[1.0, 2.0], [3.0, 4.0]]))[:, [0, 1, LANES, LANES + 1]]
     array([[1., 3., 2., 4.]])
@@ -62,6 +62,6 @@ def by_block(a: Array) -> Array:
 
 
 def by_element(a: Array, elements: int) -> Array:
-    """The way back: (blocks, ..., k rows of LANES) -> (ne, ..., k)."""
+    """Rearrange (blocks, ..., k rows of LANES) back to (ne, ..., k)."""
     by_lane = np.moveaxis(a.reshape(*a.shape[:-1], a.shape[-1] // LANES, LANES), -1, 1)
     return by_lane.reshape(-1, *by_lane.shape[2:])[:elements]

@@ -1,6 +1,6 @@
-"""Vectors in space as tuples of three numbers, so that a kernel's equations read as they are written.
+"""Vectors in space as tuples of three numbers, so that the code of a kernel reads like its equations.
 
-The functions are inlined where they are called: the tuples become registers, and the loop around them vectorises.
+The functions are inlined where they are called: the tuples become registers, and loops around them can be vectorised.
 """
 
 from typing import TypeAlias

@@ -17,9 +17,7 @@ def check_constraints(model: Model, bodies: list[RigidBody]) -> None:
     """No support or prescribed motion may rule single nodes of a body."""
     for constraint in model.constraints:
         ruled = np.asarray(constraint.fixed.any(axis=1))
-        ruled[getattr(constraint, "nodes", [])] = (
-            True  # also nodes that it rules for a time only, or on one side
-        )
+        ruled[getattr(constraint, "nodes", [])] = True  # also for a time only, or on one side
         for body in bodies:
             for row in body.nodes[ruled[body.nodes]]:
                 what = (

@@ -50,13 +50,8 @@ class RigidBodies:
         joints: Joints | None,
     ) -> None:  # fmt: skip
         """`held` (nb, 6): by CMO; `fixed` (n, 6): ruled by bodies; `damping` (n, 6): the rates D S of mass damping."""
-        self.bodies, self.fixed, self.drives, self.damping, self.joints = (
-            bodies,
-            fixed,
-            drives,
-            damping,
-            joints,
-        )
+        self.bodies, self.fixed, self.joints = bodies, fixed, joints
+        self.drives, self.damping = drives, damping
         self.reaction = np.zeros((bodies.centre.size, 6))  # of CMO and of driven rotations on each body
         self.energy = {"external work": np.zeros(1), "damping": np.zeros(1)}
         self._held = np.nonzero(held[:, :3])  # body and axis of each held translation

@@ -1,1 +1,1 @@
-"""Contact formulations, one a file; the folder is the list."""
+"""Kinds of contact, one a file. Contract of a module: `NAME`, and `build(deck, model)`, which adds its contacts."""

@@ -10,7 +10,7 @@ Belytschko-Lin-Tsay shell.
     hourglass.py  moduli of the viscous and the stiffness form
     mass.py       area, lumped mass and rotary inertia
     length.py     characteristic length of the stable step
-    step.py       the stages of a step of many elements; lanes.py: their corners in its buffer
+    step.py       the stages of a step of many elements; kernels/simd.py: their corners in its buffer
     part.py       the shells of a part as a force; build.py: from the deck
 
 What it shares with the triangle is in explicit/shell: the law at points through the thickness, the order of a step.

@@ -11,7 +11,7 @@ element.
     forces.py     nodal forces and moments, on the geometry at the end of the step
     mass.py       area, lumped mass and rotary inertia
     length.py     characteristic length of the stable step
-    step.py       the stages of a step of many elements; lanes.py: their corners in its buffer
+    step.py       the stages of a step of many elements; kernels/simd.py: their corners in its buffer
     part.py       the shells of a part as a force; build.py: from the deck
 
 Exact for a constant membrane strain and for constant curvature, in any mesh. Its membrane is the constant strain
