@@ -17,7 +17,7 @@ from vmharness.explicit.model.state import Array, Index, State
 
 @dataclass
 class Model:
-    """Nodes with mass, what pushes on them, and what rules their motion; consistent units."""
+    """Nodes, forces and constraints of a deck, in consistent units."""
 
     ids: NDArray[np.int64]  # (n,) node numbers of the deck, by row of the state's arrays; see `centre`
     x0: Array  # (n, 3) initial coordinates
@@ -29,7 +29,9 @@ class Model:
     ncpu: int = 1  # threads that compute the elements
     dtmin: float = 0.0  # the run ends with an error below this fraction of its first step
     caps: list[Callable[[float], float]] = field(default_factory=list)  # t -> the longest step allowed
-    facts: dict[str, str] = field(default_factory=dict)  # what building it did and a reader must know
+    facts: dict[str, str] = field(
+        default_factory=dict
+    )  # what building it changed, for the reader of the results
     forces: list[Force] = field(default_factory=list)
     constraints: list[Constraint] = field(default_factory=list)
     inverse_mass: Array = field(default_factory=lambda: np.zeros(0))  # (n,), 0 where a node has none
@@ -41,7 +43,7 @@ class Model:
     def find(self, entry: Entry, name: str, ids: NDArray[np.int64], ground: bool = False) -> Index:
         """Rows (m,) of the nodes `ids`, a column of `entry`; raises DeckError at the first that is no node.
 
-        With `ground`, the number 0 is no node but the ground: row -1.
+        With `ground`, the number 0 stands for the ground: row -1.
         """
         rows = np.where(ground & (ids == 0), -1, self._nearest(ids))
         for index in np.flatnonzero(((self.ids[rows] != ids) | (ids < 0)) & (rows >= 0)):
@@ -49,12 +51,12 @@ class Model:
         return rows
 
     def centre(self, number: int) -> int:
-        """The row of the centre of a rigid body: after those of the nodes, numbered by the body's number negated."""
+        """The row of the centre of a rigid body; its number in `ids` is minus that of the body."""
         return int(self._nearest(-number))
 
     @property
     def node_count(self) -> int:
-        """How many rows are nodes of the deck."""
+        """Number of rows that are nodes of the deck; the others are centres of rigid bodies."""
         return int(np.count_nonzero(self.ids > 0))
 
     def corners(self, table: Entry, names: Sequence[str], ground: bool = False) -> Index:
@@ -69,7 +71,7 @@ class Model:
         return row
 
     def _nearest(self, ids: NDArray[np.int64] | int) -> Index:
-        """Rows of `ids` where they are nodes, else of some other node."""
+        """Rows of the nodes `ids`; the row of another node for a number without a node."""
         place = np.searchsorted(self.ids, ids, sorter=self.order)
         return np.asarray(self.order[np.minimum(place, self.ids.size - 1)])
 
@@ -80,11 +82,11 @@ class Model:
 
     @cached_property
     def blocks(self) -> list[Elements]:
-        """The forces that are elements, as they are when first asked for."""
+        """The forces that are elements, listed at the first call."""
         return [force for force in self.forces if isinstance(force, Elements)]
 
     def next_step(self) -> float:
-        """The step from t_n on: TSSFAC times the shortest that any elements set, or what caps it."""
+        """The step from t_n on: TSSFAC times the shortest stable step of all elements, or the smallest cap."""
         stable = [self.step_factor * block.stable_step() for block in self.blocks]
         limits = stable + [cap(self.state.t) for cap in self.caps]
         return min(limits) if limits else math.inf
@@ -96,5 +98,5 @@ class Model:
         return f"first seen at {'node' if number > 0 else 'rigid body'} {abs(number)}"
 
     def controlling(self) -> str:
-        """Which elements set the time step."""
+        """Name the elements that set the time step."""
         return f"set by {min(self.blocks, key=lambda block: block.stable_step()).name}" if self.blocks else ""

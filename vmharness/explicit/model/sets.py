@@ -44,7 +44,7 @@ def masses_of_parts(deck: Deck, model: Model, pids: set[int]) -> Index:
 
 
 def _ranges(model: Model, found: Entry) -> Index:
-    """Nodes with a number in any of the ranges; numbers that no node has are passed over, as LS-DYNA does."""
+    """Nodes with a number in any of the ranges; numbers without a node are ignored, as LS-DYNA does."""
     if found.ranges.size % 2:
         raise found.error("ranges", "ranges come in pairs, first and last", found.ranges.size - 1)
     chosen = np.zeros(model.ids.size, bool)
