@@ -1,4 +1,4 @@
-"""A force is anything that pushes on nodes: element blocks, contacts, loads, damping."""
+"""Interfaces of forces: whatever adds force and moment to nodes, such as elements, contacts, loads and damping."""
 
 from collections.abc import Callable
 from typing import Protocol, runtime_checkable
@@ -10,7 +10,7 @@ from vmharness.explicit.model.state import Array, Index, State
 
 
 class Force(Protocol):
-    """What the time loop asks of a force.
+    """Interface of a force to the time loop.
 
     `energy` maps names of energies ("internal", "hourglass", "contact", "external work", ...) to arrays of one number
     that `add` brings up to date. Work over a step is 1/2 (f_n + f_{n+1}) . dt v_{n+1/2}.
@@ -35,9 +35,9 @@ class Elements(Force, Protocol):
         """The largest stable time step at the geometry of the last `add`; infinity where none is set."""
 
     def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
-        """What shows a component, such as `xx-stress`, of the element at this place in `eid`; points count from 1.
+        """What shows a component, such as `xx-stress`, of an element (its place in `eid`); points count from 1.
 
-        Raises ValueError that says what there is.
+        Raises ValueError, which lists the components, for one that there is not.
         """
 
 
@@ -61,10 +61,10 @@ class Scalable(Elements, Protocol):
 
 @runtime_checkable
 class Dampable(Elements, Protocol):
-    """Elements that take stiffness damping: damping/stiffness.py."""
+    """Elements with stiffness damping: damping/stiffness.py."""
 
     def steps(self, x: Array) -> Array:
         """The stable step (ne,) of each element at coordinates `x` (n, 3), undamped."""
 
     def damp(self, beta: Array) -> None:
-        """Add to the stress of the law `beta` (ne,) times its rate; to be asked for before the first step."""
+        """Add to the stress of the law `beta` (ne,) times its rate; call it before the first step."""

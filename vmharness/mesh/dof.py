@@ -1,4 +1,4 @@
-"""Degrees of freedom as loads and prescribed motions number them: DOF."""
+"""Degrees of freedom by the DOF number of loads and prescribed motions."""
 
 from vmharness.deck import Entry
 

@@ -1,6 +1,6 @@
-"""A nonlinear dashpot: force over the rate of elongation by a curve.
+"""*MAT_DAMPER_NONLINEAR_VISCOUS (S05): a nonlinear dashpot: force over the rate of elongation by a curve.
 
-The rate is half a step old, as in the linear dashpot: the motion is accurate to the first order in dt.
+The rate is half a step old, as in the linear dashpot: the motion is of first order in dt.
 """
 
 from typing import NamedTuple

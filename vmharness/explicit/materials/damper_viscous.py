@@ -1,7 +1,7 @@
-"""A linear dashpot: force proportional to the rate of elongation.
+"""*MAT_DAMPER_VISCOUS (S02): a linear dashpot: force proportional to the rate of elongation.
 
-The rate is that of the step that has led to t_n, half a step old: f_n = C ddot_{n-1/2}. The motion is therefore
-accurate to the first order in dt only, with an error of about C dt/(2 m) of the damped part.
+The rate is that of the step that led to t_n, half a step old: f_n = C ddot_{n-1/2}. The motion is therefore of first
+order in dt, with an error of about C dt/(2 m) of the damped part.
 """
 
 from typing import NamedTuple

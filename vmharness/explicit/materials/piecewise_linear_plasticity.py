@@ -1,13 +1,14 @@
 """*MAT_PIECEWISE_LINEAR_PLASTICITY (024): isotropic hardening, the yield stress a curve over the plastic strain.
 
-The curve is the first of these that the card gives; beyond its last point it goes on with its last slope:
+The curve is the first of these that the card gives; beyond its last point it has its last slope:
 
     LCSS      *DEFINE_CURVE: yield stress over effective plastic strain
     EPS, ES   up to eight points of the same
     SIGY      Y(p) = SIGY + E ETAN / (E - ETAN) p
 
 The static yield stress is scaled by a curve over the strain rate (LCSR), else after Cowper and Symonds (C, P). With
-VP = 1 the rate is that of the plastic strain, and what it adds is SIGY z, though LCSS or ES give Y; without SIGY, Y z.
+VP = 1 the rate is that of the plastic strain, and the viscous part is SIGY z, also where LCSS or ES give Y; without
+SIGY it is Y z.
 The kernels are those of _plasticity. Source: Hallquist, LS-DYNA Theory Manual, material model 24.
 """
 

@@ -1,11 +1,11 @@
 """*MAT_PLASTIC_KINEMATIC (003): bilinear, with hardening from kinematic (BETA = 0) to isotropic (BETA = 1).
 
-The slope ETAN of the uniaxial stress-strain curve gives the plastic modulus, which BETA divides:
+The slope ETAN of the uniaxial stress-strain curve gives the plastic modulus; BETA is its isotropic part:
 
     E_p = E ETAN / (E - ETAN),   Y(p) = SIGY + BETA E_p p,   C = (1 - BETA) E_p
 
-Rates: Cowper and Symonds, if SRC and SRP are given: of the whole strain (VP = 0), or of the plastic strain (VP = 1),
-each in proportion to Y. The kernels are those of _plasticity.
+Rates: Cowper and Symonds, if SRC and SRP are given, with the rate of the total strain (VP = 0) or of the plastic strain
+(VP = 1), both proportional to Y. The kernels are those of _plasticity.
 Source: R. D. Krieg, S. W. Key, Implementation of a time dependent plasticity theory into structural computer programs
 (1976); Hallquist, LS-DYNA Theory Manual, material model 3.
 """

@@ -1,11 +1,11 @@
-"""An elastoplastic spring: stiffness K up to the force FY, then KT, with isotropic hardening.
+"""*MAT_SPRING_ELASTOPLASTIC (S03): stiffness K up to the force FY, then KT, with isotropic hardening.
 
 With d_p the plastic elongation and p the sum of its magnitudes,
 
     f = K (d - d_p)        |f| <= FY + H p        H = K KT/(K - KT)
 
 A force K (d - d_p) beyond the yield force is returned to it by the plastic elongation (|f| - FY - H p)/(K + H) in
-its direction: exact for any size of step, since the path of a spring has no other direction.
+its direction. This is exact for a step of any size, since the path of a spring has one direction.
 """
 
 from typing import NamedTuple

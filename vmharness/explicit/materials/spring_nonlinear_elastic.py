@@ -1,7 +1,9 @@
-"""A nonlinear elastic spring: force over elongation by a curve, the same in loading and unloading.
+"""*MAT_SPRING_NONLINEAR_ELASTIC (S04): a spring with a curve of force over elongation.
 
-LCR is refused: it is said to be a factor of the force over the rate and to pass through (0, 0), by which a spring at
-rest would bear nothing; how LS-DYNA means it is not established.
+Loading and unloading follow the same curve.
+
+LCR is not supported. It is described as a factor of the force over the rate, with a curve through (0, 0); a spring at
+rest would then have no force. What LS-DYNA does is not established.
 """
 
 from typing import NamedTuple

@@ -1,6 +1,6 @@
-"""A characteristic: force over elongation, or over its rate, as a curve of the deck that a law of a spring reads.
+"""A characteristic: force over elongation, or over its rate, as a curve of the deck.
 
-Beyond its ends it goes on with the slope of its last segment, as LS-DYNA extrapolates in constitutive use.
+Beyond its ends it has the slope of its last segment, as LS-DYNA extrapolates curves of materials.
 """
 
 import numpy as np
@@ -32,7 +32,7 @@ def steepest(curve: Characteristic) -> float:
 
 @inlined
 def ordinate(curve: Characteristic, x: float) -> float:
-    """y_i + (y_{i+1} - y_i)/(x_{i+1} - x_i) (x - x_i) in the segment i that has x, or that is next to it."""
+    """y_i + (y_{i+1} - y_i)/(x_{i+1} - x_i) (x - x_i) in the segment i of x, or the nearest one."""
     abscissa, values = curve
     i, last = 0, abscissa.size - 1
     while last - i > 1:

@@ -16,12 +16,12 @@ class Curve:
 
     def __call__(self, t: float) -> float:
         """The ordinate at t."""
-        if self.constant:  # most curves are: gravity that does not change costs nothing per cycle
+        if self.constant:  # most curves are; constant gravity then costs nothing per cycle
             return float(self.ordinate[0])
         return float(np.interp(t, self.abscissa, self.ordinate))
 
     def mean(self, start: float, end: float) -> float:
-        """The mean ordinate from `start` to `end`, exact where the curve bends between them."""
+        """The mean ordinate from `start` to `end`; exact, also with points between them."""
         if self.constant:
             return float(self.ordinate[0])
         inside = self.abscissa[(self.abscissa > start) & (self.abscissa < end)]
@@ -29,16 +29,16 @@ class Curve:
         return float(np.trapezoid(np.interp(t, self.abscissa, self.ordinate), t) / (end - start))
 
     def rate(self, start: float, end: float) -> float:
-        """The mean slope from `start` to `end`, or to the last point: a run passes it by a part of a step."""
+        """The mean slope from `start` to `end`, or to the last point, which a run passes by a part of a step."""
         end = min(end, float(self.abscissa[-1]))
         return (self(end) - self(start)) / (end - start)
 
     def largest(self) -> float:
-        """The ordinate that is farthest from zero, the first of such."""
+        """The ordinate of largest magnitude, the first of equal ones."""
         return float(self.ordinate[np.argmax(np.abs(self.ordinate))])
 
     def slope(self) -> float:
-        """The slope with which the curve begins."""
+        """The slope of the first segment."""
         return 0.0 if self.constant else self.rate(float(self.abscissa[0]), float(self.abscissa[1]))
 
 

@@ -16,7 +16,7 @@ from vmharness.mesh.nodes import Nodes
 
 @dataclass
 class Model(Nodes):
-    """Nodes with mass, what pushes on them, and what rules their motion; consistent units.
+    """Nodes, forces and constraints of a deck, in consistent units.
 
     `ids` are node numbers of the deck, by row of the state's arrays, then those of centres: see `centre`.
     """
@@ -28,7 +28,9 @@ class Model(Nodes):
     ncpu: int = 1  # threads that compute the elements
     dtmin: float = 0.0  # the run ends with an error below this fraction of its first step
     caps: list[Callable[[float], float]] = field(default_factory=list)  # t -> the longest step allowed
-    facts: dict[str, str] = field(default_factory=dict)  # what building it did and a reader must know
+    facts: dict[str, str] = field(
+        default_factory=dict
+    )  # what building it changed, for the reader of the results
     forces: list[Force] = field(default_factory=list)
     constraints: list[Constraint] = field(default_factory=list)
     inverse_mass: Array = field(default_factory=lambda: np.zeros(0))  # (n,), 0 where a node has none
@@ -38,7 +40,7 @@ class Model(Nodes):
         self.kinetic = KineticEnergy(self.state)
 
     def centre(self, number: int) -> int:
-        """The row of the centre of a rigid body: after those of the nodes, numbered by the body's number negated."""
+        """The row of the centre of a rigid body; its number in `ids` is minus that of the body."""
         return int(self._nearest(-number))
 
     def add_mass(self, rows: Index, mass: Array, inertia: Array | float = 0.0) -> None:
@@ -48,11 +50,11 @@ class Model(Nodes):
 
     @cached_property
     def blocks(self) -> list[Elements]:
-        """The forces that are elements, as they are when first asked for."""
+        """The forces that are elements, listed at the first call."""
         return [force for force in self.forces if isinstance(force, Elements)]
 
     def next_step(self) -> float:
-        """The step from t_n on: TSSFAC times the shortest that any elements set, or what caps it."""
+        """The step from t_n on: TSSFAC times the shortest stable step of all elements, or the smallest cap."""
         stable = [self.step_factor * block.stable_step() for block in self.blocks]
         limits = stable + [cap(self.state.t) for cap in self.caps]
         return min(limits) if limits else math.inf
@@ -64,5 +66,5 @@ class Model(Nodes):
         return f"first seen at {'node' if number > 0 else 'rigid body'} {abs(number)}"
 
     def controlling(self) -> str:
-        """Which elements set the time step."""
+        """Name the elements that set the time step."""
         return f"set by {min(self.blocks, key=lambda block: block.stable_step()).name}" if self.blocks else ""

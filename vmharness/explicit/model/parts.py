@@ -50,7 +50,7 @@ class Part:
         return continuum_law(self.material).density(self.deck, self.material)
 
     def only(self, chosen: NDArray[np.bool_], corners: int) -> "Part":
-        """The `chosen` (ne,) of its elements, with the first of their corners."""
+        """The part with the `chosen` (ne,) of its elements alone, and with their first `corners`."""
         kept = {name: getattr(self, name)[chosen] for name in ("eid", "table", "row")}
         return replace(self, nodes=self.nodes[chosen, :corners], **kept)
 
@@ -65,7 +65,7 @@ class Part:
 
 
 def parts(deck: Deck, model: Model, elements: Sequence[Keyword], sections: Keyword) -> Iterator[Part]:
-    """Every part that has such elements, in the order of their first element; a large one in shares for the threads.
+    """Yield every part that has such elements, in the order of their first element; a large one in shares for threads.
 
     `sections` is the *SECTION_... that their part must have.
     """

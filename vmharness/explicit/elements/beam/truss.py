@@ -11,7 +11,7 @@ which is zero, without cancellation, for any rigid rotation however large. The l
 A keeps its initial value: there is no contraction. An elastic bar therefore has N = E A ln(L/L_0), to the third order
 in the increments, and gives back the energy that it takes. Each node has half the mass rho A L_0.
 
-A lone free bar of tangent modulus E has omega^2 = 4 E / (rho L L_0), so that its step is sqrt(L L_0) / c with
+A single free bar of tangent modulus E has omega^2 = 4 E / (rho L L_0), so that its step is sqrt(L L_0) / c with
 c = sqrt(E / rho). This is a bound: no mesh of bars has a higher frequency than its stiffest bar alone, as long as the
 stress stays small against E.
 
@@ -31,8 +31,7 @@ from vmharness.explicit.elements.beam._parts import beam_parts, lengths
 from vmharness.explicit.kernels.compiled import specialise, to_be_bound
 from vmharness.explicit.kernels.simd import LANES, by_block, by_element, put, vector
 from vmharness.explicit.kernels.vector import add, dot, scale, subtract
-from vmharness.explicit.materials import Uniaxial, law_of
-from vmharness.explicit.materials._plasticity.long_curves import has_long_curve, with_law
+from vmharness.explicit.materials import Uniaxial, has_long_curve, law_of, with_law
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Array, Index, State
 
@@ -78,8 +77,8 @@ class Truss:
     """Trusses of one part: a force with the energy "internal".
 
     `nodes (ne, 2)`: rows of the state's arrays; `length (ne,)`: initial lengths; `area`: of the cross-section;
-    `density`; `modulus`: E, for the stable step; `law` and its `constants`, with `history` variables per bar: see
-    materials/elastic.py; `channels`: names of some of these. Consistent units.
+    `density`; `modulus`: E, for the stable step; `law`: kernel of the material, see materials/_law.py, with its
+    `constants` and `history` variables per bar, `channels`: names of some of these. Consistent units.
     """
 
     kind = "beam"
@@ -135,11 +134,11 @@ class Truss:
         return np.asarray(np.sqrt(now * by_element(self._length, self.elements)[:, 0]) / self._wave_speed)
 
     def scale_density(self, factor: Array) -> None:
-        """Raise the densities by `factor` (ne,): waves are slower, as if bars had been longer at the beginning."""
+        """Raise the densities by `factor` (ne,): slower waves have the effect of a longer initial length."""
         self._length[:] = by_block(by_element(self._length, self.elements) * factor[:, None])
 
     def damp(self, beta: Array) -> None:
-        """Add to the stress of the law `beta` (ne,) times its rate; to be asked for before the first step."""
+        """Add to the stress of the law `beta` (ne,) times its rate; call it before the first step."""
         history = self._history.shape[-1] // LANES
         self._history = by_block(memory(beta, 1, history, 1)[:, 0])
         self._step = _compiled(damped(uniaxial, self._law, history), has_long_curve(self._constants))
@@ -208,10 +207,10 @@ def step(
     # buffer
     work: Array,
 ) -> float:
-    """Bring stresses to t_n, add forces there, and the step's work to `energy` (1,); the smallest L L_0.
+    """Bring stresses to t_n, add forces and the work of the step; return the smallest L L_0.
 
-    `x`, `v`, `f` (n, 3); per block of LANES bars: `nodes (blocks, 2 rows)`, `length` (L_0, times what the density was
-    raised by), `stress` and `history`.
+    `x`, `v`, `f` (n, 3); `energy` (1,); per block of LANES bars: `nodes (blocks, 2 rows)`, `length` (L_0 times the
+    factor of density), `stress` and `history`.
     """
     for e in range(LANES):
         work[LENGTH * LANES + e] = np.inf

@@ -13,16 +13,15 @@ where r = x_2 - x_1 and a is by *DEFINE_SD_ORIENTATION, with w its vector (IOP 0
     IOP 0, 2    a = w
     IOP 1, 3    a = r - (r . w) w / (w . w), the projection on the plane normal to w
 
-With a = r this m makes the increment dt ddot = |r_n| - |r_{n-1}|, the change of length without error however far the
-element turns; so it does for IOP 1 with the length in the plane. An axis that is not along r exerts a moment, since its
+With a = r the increment is dt ddot = |r_n| - |r_{n-1}|, the exact change of length however far the element rotates; for
+IOP 1 it is the exact change of the length in the plane. An axis that is not along r exerts a moment, since its
 two forces are not on one line. A torsional element (DRO = 1) has angular velocities for v, a rotation for d and moments
 for f; the axis is found in the same way. The elongation begins at OFFSET.
 
-A clearance CL makes a spring one of compression alone, which begins at d = -CL: the law sees min(d + CL, 0). An element
-whose elongation passes FD (tension if positive, compression if negative) breaks for good.
+With a clearance CL the spring acts in compression alone, from d = -CL on: the law gets min(d + CL, 0). An element whose
+elongation exceeds FD (tension if positive, compression if negative) fails permanently.
 
-Discrete elements have no mass, and a node without rotary
-inertia does not turn.
+Discrete elements have no mass, and a node without rotary inertia does not rotate.
 
 Source: LS-DYNA keyword manual, the cards; the equations follow from the definitions of length and work.
 """

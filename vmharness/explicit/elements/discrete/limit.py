@@ -2,21 +2,21 @@
 
 Central differences with dashpots that lag half a step are stable while M - dt/2 C - dt^2/4 K is positive definite.
 That holds for the whole if it holds for every element with its share of its nodes' masses. A node's mass is shared
-by need, m_e = m q_e / sum q, where q = dt/2 c + dt^2/4 k is what each element asks for; then for every element
+by need, m_e = m q_e / sum q, where q = dt/2 c + dt^2/4 k is what each element needs; then for every element
 
     dt^2/4 W + dt/2 D <= 1        W = K_1/m_1 + K_2/m_2        D = C_1/m_1 + C_2/m_2
 
-with K_i and C_i the sums of stiffness and damping over all discrete elements at node i. For a lone element this is
+with K_i and C_i the sums of stiffness and damping over all discrete elements at node i. For a single element this is
 the exact limit: 2 sqrt(m_1 m_2/((m_1 + m_2) k)) for a spring, 2 sqrt(m/k) to the ground,
-(2/omega)(sqrt(1 + zeta^2) - zeta) for a spring with a damper beside it; for several it is safe.
+(2/omega)(sqrt(1 + zeta^2) - zeta) for a spring with a damper beside it; for several it is on the safe side.
 
-Bars, shells and solids ask for mass, too. One whose own step is h bears dt < h with the fraction (dt/h)^2 of its mass:
-dt^2/4 K_e <= (dt/h)^2 M_e. What it does not need is left for springs and dampers, so that m_i above is
+Bars, shells and solids need mass, too. An element whose own stable step is h needs the fraction (dt/h)^2 of its mass:
+dt^2/4 K_e <= (dt/h)^2 M_e. The rest is left for springs and dampers, so that m_i above is
 
     m_i - dt^2 sum m_e/h_e^2
 
-over the elements at the node, as they lie at the beginning (nothing at rigid bodies: the body bears the mass). Each
-step alone is no bound: a bar of stiffness k with a spring of 2 k at its end has omega^2 = (2 + sqrt 2) k/m, where
+over the elements at the node, in the initial geometry (zero at rigid bodies, since the body has the mass). Neither
+step alone is a bound: a bar of stiffness k with a spring of 2 k at its end has omega^2 = (2 + sqrt 2) k/m, where
 either alone has 2 k/m.
 """
 

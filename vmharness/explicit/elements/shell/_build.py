@@ -1,4 +1,4 @@
-"""Shells of a part of the deck -> their force, and their mass."""
+"""A part of the deck -> the force of its shells, and their mass."""
 
 from collections.abc import Callable
 
@@ -15,9 +15,9 @@ ELFORM = 2
 
 
 def add_part(deck: Deck, model: Model, part: Part, name: str, shells: Callable[..., Shells]) -> None:
-    """Add the force that `shells` makes of a part, by the `name` of what they are, and its lumped mass.
+    """Add the force of a part, which `shells` makes, and its lumped mass; `name` is that of such elements.
 
-    Nothing is added for a rigid part: see elements/rigid.py.
+    Nothing is added for a rigid part: see rigid/elements.py.
     """
     if part.rigid:
         return

@@ -8,7 +8,7 @@ from typing import Any
 from vmharness.explicit.elements.shell import _point as point
 from vmharness.explicit.elements.shell import _step as step
 from vmharness.explicit.kernels.compiled import specialise
-from vmharness.explicit.materials._plasticity.long_curves import with_law
+from vmharness.explicit.materials import with_law
 from vmharness.explicit.model.state import Array
 
 

@@ -1,4 +1,4 @@
-"""The stress at one height of many shells, and its share of the resultants."""
+"""Stress at one height of many shells, and its contribution to the resultants."""
 
 from typing import Any
 
@@ -23,7 +23,7 @@ def stress_at_point(
     stress: Array,
     history: Array,
 ) -> None:
-    """Update the stress at height z = zeta t/2 and add its share to resultants and work, with dz = weight t/2.
+    """Update the stress at height z = zeta t/2 and add its contribution to resultants and work, with dz = weight t/2.
 
     N = int s dz,   M = int z s dz,   S = kappa int s dz,   work = A int 1/2 (s_{n-1} + s_n) de dz
     and to the mean strain through the thickness, int de_zz dz / t.

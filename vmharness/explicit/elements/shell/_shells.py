@@ -12,8 +12,7 @@ from vmharness.explicit.elements.shell._formulation import Formulation, compiled
 from vmharness.explicit.elements.shell._parts import area
 from vmharness.explicit.elements.shell._rows import DENSITY_ROOT, ROWS, THICKNESS
 from vmharness.explicit.kernels.simd import LANES, by_block, by_element
-from vmharness.explicit.materials import Moduli
-from vmharness.explicit.materials._plasticity.long_curves import has_long_curve
+from vmharness.explicit.materials import Moduli, has_long_curve
 from vmharness.explicit.model.state import Array, Index, State
 
 STRESSES = ("xx", "yy", "xy", "yz", "zx")
@@ -22,12 +21,12 @@ STRESSES = ("xx", "yy", "xy", "yz", "zx")
 class Shells:
     """Shells of one part and one formulation: a force with the energies "internal" and "hourglass".
 
-    `nodes (ne, corners)`: rows of the state's arrays; `x (n, 3)`: initial coordinates; `thickness (ne,)`; `law` and its
-    `constants`, with `history` variables per point: see materials/_law.py; `channels`: names of some of these;
-    `moduli`: for the stable step; `nip`: Gauss points through the thickness, 1 to 10; `shrf`: shear factor
-    kappa; `thinning`: the thickness follows the strain through it; `hourglass_moduli()` (ne, m), with
-    `forces` numbers in an element, and whether `viscous`. Consistent units.
-    Raises ValueError for a shape or an option that the element does not know.
+    `nodes (ne, corners)`: rows of the state's arrays; `x (n, 3)`: initial coordinates; `thickness (ne,)`; `law`: kernel
+    of the material, see materials/_law.py, with its `constants` and `history` variables per point, `channels`: names of
+    some of these; `moduli`: for the stable step; `nip`: Gauss points through the thickness, 1 to 10; `shrf`: shear
+    factor kappa; `thinning`: whether the thickness changes with the strain through it; `hourglass_moduli()` (ne, m),
+    with `forces` hourglass forces in an element, and whether these are `viscous`. Consistent units.
+    Raises ValueError for a shape or an option that the element does not support.
     """
 
     kind = "shell"
@@ -111,7 +110,7 @@ class Shells:
         self._section[:] = by_block(section)
 
     def damp(self, beta: Array) -> None:
-        """Add to the stress of the law `beta` (ne,) times its rate; to be asked for before the first step."""
+        """Add to the stress of the law `beta` (ne,) times its rate; call it before the first step."""
         history = self._history.shape[-1] // LANES
         self._history = by_block(memory(beta, self.nip, history, len(STRESSES)))
         law = damped(plane_stress, self._law, history)
@@ -156,7 +155,7 @@ def wave_speed(moduli: Moduli, density: float, isdo: int) -> float:
 
 
 def _check(formulation: Formulation, nodes: Index, x: Array, thickness: Array, nip: int, isdo: int) -> None:
-    """Refuse what the element cannot do."""
+    """Raise ValueError for a shape or an option that the element cannot have."""
     if not 1 <= nip <= 10:
         raise ValueError(f"NIP = {nip}: 1 to 10 points through the thickness are supported")
     if isdo not in range(len(formulation.lengths)):

@@ -1,11 +1,9 @@
 """One step of many shells: gather, rates at mid-step, stresses, forces at the end of the step, scatter.
 
-Arrays per block of LANES elements, with rows as in rows.py: `nodes (blocks, corners rows)`; `section (blocks, rows)`,
-thickness, root of the factor of density (1 but for mass scaling), hourglass moduli; `stress (blocks, nip, 5 rows)`,
-xx, yy, xy, yz, zx; `history (blocks, nip, rows)`; `hourglass (blocks, rows)`, as the kind of shell has it. The last
-block is filled up with copies of the last element, which add neither force nor energy.
-
-The stages `strain`, `hourglass_force` and `force` are those of the kind of shell; `stress_at_point` has the law.
+Arrays per block of LANES elements, with rows as in _rows.py: `nodes (blocks, corners rows)`; `section (blocks, rows)`,
+thickness, square root of the factor of density (1 without mass scaling), hourglass moduli; `stress (blocks, nip, 5
+rows)`, xx, yy, xy, yz, zx; `history (blocks, nip, rows)`; `hourglass (blocks, rows)` of the formulation. The last block
+is filled with copies of the last element, which add neither force nor energy.
 """
 
 from typing import Any
@@ -18,7 +16,7 @@ from vmharness.explicit.kernels.compiled import to_be_bound
 from vmharness.explicit.kernels.simd import LANES, gather, scatter
 from vmharness.explicit.model.state import Array, Index
 
-# The stages of a formulation, and the material's law at a point: see _kind.py.
+# The stages of a formulation, and the material's law at a point: see _formulation.py.
 strain = to_be_bound("strain")
 stress_at_point = to_be_bound("stress_at_point")
 hourglass_force = to_be_bound("hourglass_force")
@@ -54,7 +52,7 @@ def step(
     # buffer
     work: Array,
 ) -> float:
-    """Bring stresses to t_n, add forces and moments there, and the step's work to `energy`; the shortest L_s.
+    """Bring stresses to t_n, add forces, moments and the work of the step; return the shortest L_s.
 
     `x`, `v`, `omega`, `f`, `moment` (n, 3); `points` (nip, 2): height -1..1 and weight of sum 2; `energy` (2,):
     internal, hourglass.

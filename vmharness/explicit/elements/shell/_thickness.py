@@ -1,9 +1,10 @@
-"""Thickness that follows the mean strain through it (LS-DYNA: ISTUPD = 1); without that it stays.
+"""Change of thickness by the mean strain through it (LS-DYNA: ISTUPD = 1); without it the thickness is constant.
 
     t_n = t_{n-1} (1 + de_zz/2) / (1 - de_zz/2)        the midpoint rule, exp(de_zz) to the third order
 
-Resultants come with the thickness at the start of the step. Those of the end are greater by the ratio of thicknesses,
-moments by its square, since the points move apart too; work is that of the mean. Mass and hourglass moduli stay.
+Resultants are first computed with the thickness at the start of the step. At its end forces are larger by the ratio of
+thicknesses, and moments by its square, since the distances of the points change too. The work of the step is that of
+the mean. Mass and hourglass moduli are constant.
 """
 
 from vmharness.explicit.elements.shell._rows import THINNING, WORK, M, N, S

@@ -1,4 +1,4 @@
-"""Volume and gradients of a hexahedron with trilinear sides, from its patterns x_1 to x_7 (see pattern.py).
+"""Volume and gradients of a hexahedron with trilinear faces, from its patterns x_1 to x_7 (see _pattern.py).
 
 With g_1 = dx/dxi, g_2 = dx/deta, g_3 = dx/dzeta, the Jacobian j = g_1 . g_2 x g_3 and G_1 = g_2 x g_3, ... cyclic,
 
@@ -6,7 +6,7 @@ With g_1 = dx/dxi, g_2 = dx/deta, g_3 = dx/dzeta, the Jacobian j = g_1 . g_2 x g
 
     V = int j,   mean gradient = 1/V sum phi_k int b_k
 
-The integrals over the cube are exact: they are the derivatives of the volume that Flanagan and Belytschko take for B
+The integrals over the cube are exact: they are the derivatives of the volume, which Flanagan and Belytschko take for B
 (International Journal for Numerical Methods in Engineering 17 (1981) 679-706), in terms of patterns. The hourglass
 pattern 7 does not enter.
 """
@@ -88,7 +88,7 @@ def _row_at(v: Patterns, b: Patterns, i: int, by_jacobian: float) -> Vector:
 
 @inlined
 def largest_face(x: Patterns) -> float:
-    """Largest area of a side: half the cross product of its diagonals, 4 (x_2 + x_6) x (x_3 + x_5) for xi = 1."""
+    """Largest area of a face: half the cross product of its diagonals, 4 (x_2 + x_6) x (x_3 + x_5) for xi = 1."""
     x1, x2, x3, x4, x5, x6, _ = x
     square = max(
         max(_squared_face(x2, x6, x3, x5), _squared_face(x3, x4, x1, x6)), _squared_face(x1, x5, x2, x4)
@@ -98,14 +98,14 @@ def largest_face(x: Patterns) -> float:
 
 @inlined
 def _squared_face(a: Vector, da: Vector, b: Vector, db: Vector) -> float:
-    """The larger of two opposite sides, squared: 16 |(a +- da) x (b +- db)|^2."""
+    """The larger of two opposite faces, squared: 16 |(a +- da) x (b +- db)|^2."""
     even, odd = add(cross(a, b), cross(da, db)), add(cross(a, db), cross(da, b))
     cross_term = abs(dot(even, odd))
     return 16 * (dot(even, even) + dot(odd, odd) + 2 * cross_term)
 
 
 def measures(x: Array) -> tuple[Array, Array, Array]:
-    """Volume V, sum |int b_k|^2 and length V / largest side (ne,), of elements with the corners `x (ne, 8, 3)`."""
+    """Volume V, sum |int b_k|^2 and length V / largest face (ne,), of elements with the corners `x (ne, 8, 3)`."""
     volume, squares, length = np.empty((3, len(x)))
     _measure(np.ascontiguousarray(x), volume, squares, length)
     return volume, squares, length

@@ -1,4 +1,4 @@
-"""The motion of eight nodes as eight patterns, in which the equations of a hexahedron are short.
+"""The motion of eight nodes as eight patterns, which make the equations of a hexahedron short.
 
            8 ------ 7           xi    runs from face 1 4 8 5 to face 2 3 7 6
           /|       /|           eta   from 1 2 6 5 to 4 3 7 8
@@ -8,8 +8,8 @@
          1 ------ 2                 + eta zeta x_4 + zeta xi x_5 + xi eta x_6 + xi eta zeta x_7
 
 x_k = 1/8 sum Lambda_kI x_I with the values Lambda_kI = +-1 of the pattern k at the nodes. Patterns 1 to 3 stretch and
-turn a cube; 4 to 7 are its hourglass modes. A force on pattern k, conjugate to v_k, is f_k = sum Lambda_kI f_I, and the
-nodes have f_I = 1/8 sum Lambda_kI f_k. Pattern 0 is a translation: it strains nothing and is left out.
+rotate a cube; 4 to 7 are its hourglass modes. A force on pattern k, conjugate to v_k, is f_k = sum Lambda_kI f_I, and
+the nodes have f_I = 1/8 sum Lambda_kI f_k. Pattern 0 is a translation: it has no strain and is left out.
 """
 
 from vmharness.explicit.kernels.vector import Vector, add, inlined, scale, subtract

@@ -1,4 +1,4 @@
-"""The rows of a block of hexahedra in the buffer of explicit/kernels/simd.py, and those of what an element keeps."""
+"""Rows of a block of hexahedra in the buffer of kernels/simd.py, and of the arrays that are kept between steps."""
 
 from vmharness.explicit.elements.solid._pattern import Nodes, Patterns
 from vmharness.explicit.kernels.rotation import Triad
@@ -6,7 +6,7 @@ from vmharness.explicit.kernels.simd import put, vector
 from vmharness.explicit.kernels.vector import inlined
 from vmharness.explicit.model.state import Array
 
-# The buffer. X and V hold nodes first, then patterns 1 to 7; forces take the place of velocities, then used up.
+# The buffer. X and V hold nodes first, then patterns 1 to 7; forces overwrite velocities, which are not needed then.
 X, V = 0, 24
 F = V
 GRADIENT = 48  # mean velocity gradient at mid-step
@@ -22,11 +22,11 @@ FORCES, TENSION = (
 )  # of a fully integrated element: on patterns 1 to 7 by deviators; V times mean stress
 ROWS = 120
 
-# What an element keeps: its frame, its bulk viscosity, the hourglass forces of patterns 4 to 7 in the frame.
+# Rows of `kept`: quaternion of the frame, bulk viscosity, hourglass forces of patterns 4 to 7 in the frame.
 ROTATION, VISCOSITY, RESISTANCE = 0, 4, 5
 KEPT = 17
 
-MASS, MODULUS = 0, 1  # of an element, which do not change
+MASS, MODULUS = 0, 1  # rows of `fixed`
 
 
 @inlined

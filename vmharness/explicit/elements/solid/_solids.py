@@ -12,7 +12,7 @@ from vmharness.explicit.elements.solid._gradient import measures
 from vmharness.explicit.elements.solid._rows import KEPT, MASS, MODULUS, ROTATION, ROWS
 from vmharness.explicit.elements.solid._stress import compiled_step
 from vmharness.explicit.kernels.simd import LANES, by_block, by_element
-from vmharness.explicit.materials._plasticity.long_curves import has_long_curve
+from vmharness.explicit.materials import has_long_curve
 from vmharness.explicit.model.state import Array, Index, State
 
 
@@ -101,7 +101,7 @@ class Hexahedra:
         self._longest = self._overshoot()
 
     def damp(self, beta: Array) -> None:
-        """Add to the stress of the law `beta` (ne,) times its rate; to be asked for before the first step."""
+        """Add to the stress of the law `beta` (ne,) times its rate; call it before the first step."""
         history = self._history.shape[-1] // LANES
         self._history = by_block(memory(beta, self.points, history, len(COMPONENTS)))
         law = damped(solid, self._law, history)

@@ -1,18 +1,19 @@
-"""Bulk viscosity, and the stable step that it leaves.
+"""Bulk viscosity, and the stable step with it.
 
 A pressure that spreads shocks over a few elements, in compression only (J. von Neumann, R. D. Richtmyer 1950, with
 Landshoff's linear term; LS-DYNA: *CONTROL_BULK_VISCOSITY TYPE 1):
 
     q = rho l (Q1 l D^2 - Q2 c D)  for D = tr(velocity gradient) < 0, else 0;   l = V^(1/3),  rho = m/V
 
-It acts with the stress, is no part of the stress shown, and its work is internal energy. The element's stable step is
+It acts with the stress, but is no part of the stress that probes show; its work is internal energy. The stable step of
+the element is
 
-    dt = L_e / (Q + sqrt(Q^2 + c^2)),   L_e = V / largest side,   c^2 = E (1 - nu) / ((1 + nu) (1 - 2 nu) rho)
+    dt = L_e / (Q + sqrt(Q^2 + c^2)),   L_e = V / largest face,   c^2 = E (1 - nu) / ((1 + nu) (1 - 2 nu) rho)
     Q = Q2 c + Q1 L_e |D|  for D < 0, else 0
 
-The estimate is the classical one, not a bound. Without bulk viscosity a lone free cube is stable up to
-sqrt((1 - nu) / (1 + nu)) L_e/c only (0.73 at nu = 0.3), by the mode that stretches it in all directions; a long bar of
-cubes, one across, up to 0.81 L_e/c, which the 0.9 of TSSFAC does not cover; 3 x 3 x 3 cubes up to 0.93.
+The estimate is the classical one, not a bound. Without bulk viscosity a single free cube is stable up to
+sqrt((1 - nu) / (1 + nu)) L_e/c only (0.73 at nu = 0.3), the limit of the mode that stretches it in all directions; a
+long bar of cubes, one across, up to 0.81 L_e/c, less than the 0.9 of TSSFAC; 3 x 3 x 3 cubes up to 0.93.
 """
 
 import numpy as np
@@ -37,7 +38,7 @@ from vmharness.explicit.model.state import Array
 
 @inlined
 def dilatation(work: Array, e: int) -> float:
-    """D = tr L, the mean rate of the volume's strain."""
+    """D = tr L, the mean rate of the volumetric strain."""
     return work[GRADIENT * LANES + e] + work[(GRADIENT + 4) * LANES + e] + work[(GRADIENT + 8) * LANES + e]
 
 
@@ -60,7 +61,7 @@ def viscosity(
 
 @kernel
 def stable_step(work: Array, fixed: Array, modulus: float, q1: float, q2: float) -> None:
-    """STEP = the shortest dt of the elements that went through this lane so far."""
+    """STEP = the shortest dt of the elements of this lane so far."""
     for e in range(LANES):
         x = load_patterns(work, X, e)
         volume, _ = mean(x)

@@ -2,7 +2,7 @@
 
     f(dp) = trial - K dp - r Y(p + dp) = 0
 
-`trial` is q (or |s|) of the elastic trial stress, and K dp what it falls by: K = 3 G + C, or E + C in uniaxial stress.
+`trial` is q (or |s|) of the elastic trial stress, which falls by K dp: K = 3 G + C, or E + C in uniaxial stress.
 """
 
 from vmharness.explicit.kernels.vector import inlined
@@ -17,8 +17,8 @@ ITERATIONS = 5
 def static_increment(trial: float, K: float, p: float, r: float, Y: Curve) -> float:
     """dp >= 0, by Newton's rule; 0 where the trial stress is elastic.
 
-    Exact in one step as long as no corner of Y is passed; each corner takes one more, or an error far below round-off
-    of E dp, since the slope of Y is small against K.
+    Exact in one step if p passes no corner of Y. Each corner takes one more step, or leaves an error far below the
+    round-off of E dp, since the slope of Y is small against K.
     """
     dp = 0.0
     for _ in range(ITERATIONS):
@@ -31,7 +31,7 @@ def static_increment(trial: float, K: float, p: float, r: float, Y: Curve) -> fl
 def increment(
     trial: float, K: float, p: float, r: float, Y: Curve, viscous: Viscous | None, dt: float
 ) -> float:
-    """dp >= 0, whichever rate r goes by; the compiler keeps one form."""
+    """dp >= 0, by the static or the viscous form; the compiler keeps one of them."""
     if viscous is None:
         return static_increment(trial, K, p, r, Y)
     return viscous_increment(trial, K, p, Y, viscous, dt)

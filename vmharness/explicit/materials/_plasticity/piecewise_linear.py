@@ -1,15 +1,16 @@
-"""A piecewise liselected function, whose last slope goes on beyond the last point, in three forms.
+"""A piecewise linear function in three forms; beyond the last point it has the last slope.
 
 Up to eight points: a sum over hinges, without a search, so that loops around it vectorise:
 
     y(x) = y_0 + m_0 (x - x_0) + sum_k (m_k - m_{k-1}) max(0, x - x_k)
 
-with one hinge (x_k, m_k - m_{k-1}) for each inner point. As a tuple: y at x = 0 (the first line gone back), m_0, then
-the hinges: none or six, those that are too many do nothing.
+with one hinge (x_k, m_k - m_{k-1}) for each inner point. As a tuple: y of the first line at x = 0, m_0, then the
+hinges: none or six, of which the surplus ones are zero.
 
-More points: a table that is searched, from cells of equal width on. It has a row for each segment: such a sum again, of
-the segment's line and the next two hinges, and behind it the place up to which that is the function, the third hinge.
-The last form, for the elements of a block, has for each the row that it needs, and no search (long_curves.py). The
+More points: a table with a search that starts from cells of equal width. Each segment has a row: such a sum of its line
+and the next two hinges, and then the x up to which this sum is the function, the third hinge.
+
+The last form, for the elements of a block, has the row that each element needs, and no search (long_curves.py). The
 table has room for these rows, so that threads must not share a curve.
 """
 
@@ -22,7 +23,7 @@ from vmharness.explicit.kernels.vector import inlined, inlined_counted
 from vmharness.explicit.model.state import Array, Index
 
 Hinges: TypeAlias = tuple[float, ...]
-# Starts of the segments, cells, rows; then of LANES elements: the rows that they need, what a step of these changes.
+# Starts of the segments, cells, rows; then of LANES elements: the selected rows, and a copy of what a step changes.
 Table: TypeAlias = tuple[Array, Index, Array, Array, Array]
 Curve: TypeAlias = tuple[Hinges, Table | None, Array | None]
 
@@ -31,7 +32,7 @@ NEXT = 2  # hinges in a row of the table
 END = 2 + 2 * NEXT  # column of the row's end
 COLUMNS = END + 1
 CELLS = 4  # to a segment
-ROOM = 256  # numbers of an element
+ROOM = 256  # numbers that a step of one element changes, at most
 
 
 def line(y: float, slope: float) -> Curve:
@@ -64,9 +65,9 @@ def is_long(curve: Curve) -> bool:
 
 
 def table(x: Array, y: Array, slopes: Array) -> Table:
-    """The segments: starts (n - 1,), rows (n - 1, COLUMNS), of which the last have fewer hinges and no end.
+    """Starts (n - 1,), cells and rows (n - 1, COLUMNS) of the segments; the last rows have fewer hinges and no end.
 
-    Cells of equal width lead to a segment: each holds that in which it begins, or a hair before, against round-off.
+    Each cell of equal width holds the segment in which it begins, or slightly before, because of round-off.
     """
     rows = np.zeros((len(slopes), COLUMNS))
     rows[:, 0], rows[:, 1], rows[:, END] = y[:-1] - slopes * x[:-1], slopes, np.inf
@@ -81,7 +82,7 @@ def table(x: Array, y: Array, slopes: Array) -> Table:
 
 @inlined
 def segment(table: Table, x: float) -> int:
-    """The last segment that starts at or before x, or the first: on from that in which the cell of x begins."""
+    """The last segment that starts at or before x, or the first; the search starts at the cell of x."""
     starts, cells = table[0], table[1]
     place = (x - starts[0]) / (starts[-1] - starts[0]) * (cells.size - 1)
     k = cells[int(min(place, cells.size - 1.0)) if place > 0.0 else 0]
@@ -98,7 +99,7 @@ def value_and_slope(curve: Curve, x: float) -> tuple[float, float]:
 
 @inlined
 def evaluate(hinges: Hinges, table: Table | None, x: float) -> tuple[float, float]:
-    """The same; the compiler keeps one form."""
+    """y(x) and dy/dx of a sum of hinges or of a table; the compiler keeps one of them."""
     if table is None:
         y, slope = hinges[0] + hinges[1] * x, hinges[1]
         for k in range(2, len(hinges), 2):
@@ -118,7 +119,7 @@ def element_curve(curve: Curve, at: int, stride: int) -> Curve:
 
 @inlined_counted
 def curve_of_row(hinges: Hinges, table: Table | None, selected: Array | None, at: int, stride: int) -> Curve:
-    """The same; the compiler keeps one form."""
+    """The function of the selected row at `at`, if there are such rows; the compiler keeps one form."""
     if selected is None:
         return hinges, table, None
     line = selected[at], selected[at + stride]

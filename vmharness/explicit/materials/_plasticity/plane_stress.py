@@ -12,7 +12,7 @@ and the shears like the difference. The yield condition is one equation for lamb
     P = eta_+^2 / 4,   Q = 3/4 eta_-^2 + 3 (eta_xy^2 + eta_yz^2 + eta_zx^2)   of the trial stress
 
 Newton's rule is applied to r Y / q - 1, which is nearly linear in lambda, and concave where Y is: from lambda = 0 it
-comes up to the root and never passes it. Four steps give round-off at thirty times the yield stress.
+converges to the root from below. Four steps reach round-off at thirty times the yield stress.
 """
 
 from vmharness.explicit.kernels.vector import inlined
@@ -23,14 +23,14 @@ from vmharness.explicit.materials._plasticity.viscous import viscous_multiplier
 from vmharness.explicit.model.state import Array
 
 ITERATIONS = 4
-TINY = 1e-300  # keeps 0/0 away where there is no stress
+TINY = 1e-300  # avoids 0/0 without stress
 
 Shell = tuple[float, float, float, float, float]  # xx, yy, xy, yz, zx
 
 
 @inlined
 def back_stress(C: float | None, history: Array, at: int, stride: int) -> Shell:
-    """The components of a, which the point's history holds after p."""
+    """The components of a, the history variables after p."""
     if C is None:
         return 0.0, 0.0, 0.0, 0.0, 0.0
     return (
@@ -78,7 +78,7 @@ def static_multiplier(
 def multiplier(
     P: float, Q: float, a: float, b: float, p: float, r: float, Y: Curve, viscous: Viscous | None, dt: float
 ) -> tuple[float, float]:
-    """lambda and dp, whichever rate r goes by; the compiler keeps one form."""
+    """lambda and dp, by the static or the viscous form; the compiler keeps one of them."""
     x, dp = static_multiplier(P, Q, a, b, p, r, Y)
     if viscous is None:
         return x, dp

@@ -11,14 +11,14 @@ from vmharness.explicit.materials._plasticity.piecewise_linear import element_cu
 from vmharness.explicit.materials._plasticity.rate import factor, viscous_part
 from vmharness.explicit.model.state import Array
 
-TINY = 1e-300  # keeps 0/0 away where there is no stress
+TINY = 1e-300  # avoids 0/0 without stress
 
 Tensor = tuple[float, float, float, float, float, float]  # xx, yy, zz, xy, yz, zx
 
 
 @inlined
 def back_stress(C: float | None, history: Array, at: int, stride: int) -> Tensor:
-    """alpha, which the point's history holds after p."""
+    """alpha, the history variables after p."""
     if C is None:
         return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     return (

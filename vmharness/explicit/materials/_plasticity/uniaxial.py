@@ -12,7 +12,7 @@ from vmharness.explicit.model.state import Array
 
 @inlined
 def back_stress(C: float | None, history: Array, at: int, stride: int) -> float:
-    """a = 3/2 alpha_xx, which the point's history holds after p."""
+    """a = 3/2 alpha_xx, the history variable after p."""
     if C is None:
         return 0.0
     return history[at + stride]

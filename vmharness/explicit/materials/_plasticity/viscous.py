@@ -4,13 +4,13 @@ Radial and uniaxial return (K as in consistency.py):
 
     f(z) = trial - K h z^P - Y(p + h z^P) - (A + B Y(p + h z^P)) z = 0
 
-In z it is smooth, where dp^(1/P) would rise from 0 with an infinite slope; it falls, and is concave where Y is
-straight. Newton's rule therefore comes down to the root from above. It begins at the lesser of the two bounds that the
-second and the last term give, each for itself, which is at most twice the root.
+f is smooth in z, while dp^(1/P) has an infinite slope at dp = 0. It decreases, and is concave where Y is linear, so
+that Newton's rule converges to the root from above. It starts at the smaller of the two bounds that the second and the
+last term give alone, which is at most twice the root.
 
 Plane stress (plane_stress.py): with lambda = u^P and w = (2 q / 3 h)^(1/P), z = w u; the yield condition is one for u.
-Where the rate bears much, the left side is flat beyond the root, and Newton's rule would leave the interval in which
-the root must be, from 0 to the return without rate: there the interval is halved.
+Where the viscous part is large, the left side is flat beyond the root, and Newton's rule would leave the interval of
+the root, from 0 to the return without rate. The interval is then bisected.
 """
 
 from vmharness.explicit.kernels.vector import inlined
@@ -18,7 +18,7 @@ from vmharness.explicit.materials._plasticity.piecewise_linear import Curve, val
 from vmharness.explicit.materials._plasticity.rate import Viscous
 
 ITERATIONS, HALVINGS = 12, 24
-TINY = 1e-300  # keeps 0/0 away where there is no stress, or no step
+TINY = 1e-300  # avoids 0/0 without stress, or without a step
 
 
 @inlined

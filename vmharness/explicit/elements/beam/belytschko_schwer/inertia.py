@@ -12,14 +12,14 @@ bending limit 2/omega for j = q + 1/12. The least inertia that keeps bending at 
 
     j = 3 q / (1 - 12 q)   while L/c is the smaller,   else   j = q + 1/12
 
-the lesser of the two; it makes them meet where the two limits do (L = 6.3 r). A slender beam thus gets 3 m r^2: three
-times what the cross-section's own inertia would be (Rayleigh), which lowers frequencies by the fraction k^2 r^2 3/2
+the smaller of the two; they are equal where the two limits are (L = 6.3 r). A slender beam thus gets 3 m r^2: three
+times the inertia of the cross-section itself (Rayleigh), which lowers frequencies by the fraction k^2 r^2 3/2
 for wave number k, and far less than m L^2 / 12. Torsional inertia is this too, not the polar moment of the section:
 the speed of torsional waves is not physical.
 
-The step is the least of the three, torsion ruling only for torsion constants beyond a section's polar moment. It is
-a bound for every mesh, as the highest frequency is never above that of the worst element alone; L is the current
-length where that is shorter. (Tension adds stiffness across the axis, of the order of the axial strain.)
+The step is the smallest of the three; torsion governs only for torsion constants above the polar moment of the section.
+It is a bound for every mesh, since the highest frequency is never above that of the stiffest element alone; L is the
+current length where that is shorter. (Tension adds stiffness across the axis, of the order of the axial strain.)
 
 Source for the step: J. O. Hallquist, LS-DYNA Theory Manual, time step of beams.
 """
@@ -31,7 +31,7 @@ from vmharness.explicit.model.state import Array
 
 
 def lumped(length: Array, section: CrossSection, density: float) -> tuple[Array, Array]:
-    """Mass and rotary inertia (ne,), (ne,) that an element gives to each of its nodes."""
+    """Mass and rotary inertia (ne,), (ne,) of each of the two nodes of an element."""
     mass = 0.5 * density * section.a * length
     return mass, mass * length**2 * _inertia(_slenderness(length, section))
 

@@ -1,4 +1,4 @@
-"""The Belytschko-Schwer beams of one part, as a force."""
+"""Belytschko-Schwer beams: those of one part as a force, and from the deck."""
 
 from collections.abc import Callable
 
@@ -14,7 +14,7 @@ from vmharness.explicit.elements.beam.belytschko_schwer.stiffness import CrossSe
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Array, Index, State
 
-# What can be read off an end: the resultants there on the cross-section with the outer normal r.
+# What a probe shows of an end: the resultants there on the cross-section with the outer normal r.
 COMPONENTS = ("axial-force", "axial-stress", "s-shear", "t-shear", "s-moment", "t-moment", "torsion")
 
 
@@ -57,7 +57,7 @@ class BelytschkoSchwer:
         )
 
     def add(self, state: State) -> None:
-        """Add forces and moments at t_n; what is stored is a function of the deformation alone."""
+        """Add forces and moments at t_n; the stored energy is a function of the deformation alone."""
         step.rotate_triads(self._triads, self.nodes, state.omega, state.dt)
         self._stable = step.step(
             state.x, state.dt,
@@ -67,11 +67,11 @@ class BelytschkoSchwer:
         )  # fmt: skip
 
     def stable_step(self) -> float:
-        """The smallest limit of the elements, each less its shortening."""
+        """The smallest limit of the elements, each reduced as the element is shortened."""
         return self._stable
 
     def steps(self, x: Array) -> Array:
-        """The limit (ne,) of each element at coordinates `x` (n, 3), less its shortening."""
+        """The limit (ne,) of each element at coordinates `x` (n, 3), reduced as the element is shortened."""
         length = np.linalg.norm(x[self.nodes[:, 1]] - x[self.nodes[:, 0]], axis=1)
         return np.asarray(self._limit * np.minimum(length / self._length, 1.0))
 
@@ -80,7 +80,7 @@ class BelytschkoSchwer:
         self._limit = self._limit * np.sqrt(factor)
 
     def damp(self, beta: Array) -> None:
-        """Add to the resultants `beta` (ne,) times their rate; to be asked for before the first step."""
+        """Add to the resultants `beta` (ne,) times their rate; call it before the first step."""
         self._damping = beta, np.zeros((len(beta), step.KEPT)), np.zeros(1)
 
     def probe(self, element: int, point: int, component: str) -> Callable[[], float]:

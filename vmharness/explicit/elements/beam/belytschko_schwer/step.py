@@ -29,7 +29,7 @@ from vmharness.explicit.model.state import Array, Index
 # Resultants of an element: axial force, torque, moments of the ends on the beam about s, about t, per rotation.
 FORCE, TORQUE, S_1, S_2, T_1, T_2 = range(6)
 
-# What a damped element keeps: elastic resultants, those of damping, deformations.
+# Rows that a damped element keeps: elastic resultants, those of damping, deformations.
 ELASTIC, DRAG, DEFORMED = 0, 6, 12
 KEPT = 18
 
@@ -75,7 +75,7 @@ def rotate_triads(triads: Array, nodes: Index, omega: Array, dt: float) -> None:
 def add_damping(
     R: Array, deformed: tuple[float, float, float, float, float, float], rate: float, kept: Array
 ) -> float:
-    """R += rate (R_n - R_{n-1}), rate = beta/dt; returns the work of what is added, 1/2 (old + new) . increments."""
+    """R += rate (R_n - R_{n-1}), rate = beta/dt; return the work of the addition, 1/2 (old + new) . increments."""
     work = 0.0
     for m in range(6):
         drag = rate * (R[m] - kept[ELASTIC + m])
@@ -104,7 +104,7 @@ def step(
     moment: Array,
     energy: Array,
 ) -> float:
-    """Add forces and moments, set resultants and the `energy` (1,) stored and damped; the shortest stable step.
+    """Add forces and moments, set resultants and the `energy` (1,) stored and damped; return the shortest stable step.
 
     `x`, `f`, `moment` (n, 3); `nodes (ne, 2)`; `length (ne,)` L_0 and the `limit (ne,)` that goes with it; `stiffness
     (ne, 6)`, see stiffness.py; `triads (ne, 2, 2, 3)`: s and t at each end; `resultants (ne, 6)`; `damping`: beta

@@ -1,4 +1,4 @@
-"""The element's own frame: triad, area, and the gradient of a nodal field at the centre.
+"""The frame of the element: triad, area, and gradient of a nodal field at the centre.
 
         4 ------- 3
        /    e2   /        e3 = r31 x r42 / |r31 x r42|    (normal to both diagonals)
@@ -11,12 +11,12 @@ A bilinear field phi has at the centre the gradient (Belytschko, Lin, Tsay 1984)
     dphi/dy = B_2I phi_I,   B_2 = (x42, x13, x24, x31) / 2A
 
 The third column of B is minus the first and the fourth minus the second: only the differences phi_1 - phi_3 and
-phi_2 - phi_4 enter. They do not see the hourglass pattern h = (1, -1, 1, -1). The projection (Flanagan and
+phi_2 - phi_4 enter, and both are zero for the hourglass pattern h = (1, -1, 1, -1). The projection (Flanagan and
 Belytschko 1981)
 
     gamma_I = h_I - (h . x) B_1I - (h . y) B_2I
 
-is blind to every linear field and sees just that pattern.
+is zero for every linear field, and 4 for that pattern.
 """
 
 from vmharness.explicit.kernels.simd import put, vector

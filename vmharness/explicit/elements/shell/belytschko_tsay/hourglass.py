@@ -1,12 +1,11 @@
-"""Hourglass control: resistance to the five patterns that one point in the plane does not feel.
+"""Hourglass control: resistance to the five patterns that have no strain at the one point in the plane.
 
 Stiffness form (IHQ 4, 5, 6; Belytschko, Lin, Tsay 1984; Hallquist, LS-DYNA Theory Manual, Belytschko-Lin-Tsay
 shell): forces Q conjugate to the rates q grow as dQ/dt = C q with
 
     membrane  C = QM E t A (B.B) / 8,   warping  C = QW kappa G t^3 (B.B) / 12,   bending  C = QB E t^3 A (B.B) / 192
 
-and B.B the sum over all B_aI^2. It is taken from the initial geometry, so that the stiffness form stores just the
-energy sum Q^2 / 2C.
+and B.B the sum over all B_aI^2. C is that of the initial geometry, so that the stored energy is sum Q^2 / 2C.
 
 Viscous form (IHQ 1, 2, 3): Q = c q. LS-DYNA's constants are not published. Here c is the fraction QM, QW or QB of the
 critical damping of the pattern on the stiffness C of coefficient 1. A node's share n of the mass (of the inertia, for
@@ -15,7 +14,7 @@ bending) moves in the pattern as n dv/dt = -4 (C int v dt + c v), so c = Q sqrt(
     membrane  c = QM rho c0 t sqrt(A) / 4,   warping  c = QW rho c0 t^2 sqrt(kappa / (3 (1 + nu))) / 4,
     bending   c = QB rho c0 t^2 A / (32 sqrt 3),   c0 = sqrt(E / rho)
 
-(nu >= 0.2 for the last): the first is what Flanagan and Belytschko take for solids, all three are Radioss's forms.
+(nu >= 0.2 for the last). The first is that of Flanagan and Belytschko for solids; Radioss has the form of all three.
 """
 
 from dataclasses import dataclass
@@ -42,7 +41,7 @@ class Hourglass:
 
     @property
     def viscous(self) -> bool:
-        """True when forces follow the rates, not the displacements."""
+        """Whether forces are proportional to the rates, not to the displacements."""
         return self.ihq <= 3
 
 

@@ -4,9 +4,9 @@
     ISDO 1   L_s = A / longest diagonal                         c as above
     ISDO 2   L_s = max(shortest side, A / longest side)         c = sqrt(E / rho)
 
-The estimate is the classical one, not a bound: a lone free square is stable only up to L_s / (c sqrt(1 + nu)), by the
-mode that stretches it in all directions (0.877 at nu = 0.3, less than the 0.9 of TSSFAC). Neighbours and supports make
-up for that; a shell that has neither needs TSSFAC = 0.8, and the energy balance ends a run that diverges.
+The estimate is the classical one, not a bound: a single free square is stable only up to L_s / (c sqrt(1 + nu)), the
+limit of the mode that stretches it in all directions (0.877 at nu = 0.3, less than the 0.9 of TSSFAC). Neighbours and
+supports raise the limit; a shell that has neither needs TSSFAC = 0.8. The energy balance ends a run that diverges.
 """
 
 from vmharness.explicit.elements.shell.belytschko_tsay.frame import Corners

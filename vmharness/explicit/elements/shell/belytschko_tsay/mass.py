@@ -11,10 +11,10 @@ def nodal_mass(x: Array, thickness: Array, density: float, nu: float, shrf: floa
 
         m = rho t A / 4,   I = m max(t^2/12, A/8, A s / (8 (1 + |nu|) - 4 s)),   s = kappa (1 - nu)
 
-    t^2/12 is the plate's own inertia; more than that only serves the stable step of L/c. A/8 (Hughes, Cohen, Haroun
-    1978) is enough inside a mesh. At free edges it is not: transverse shear of a free square of side L has
+    t^2/12 is the inertia of the plate itself; a larger one serves the stable step of L/c only. A/8 (Hughes, Cohen,
+    Haroun 1978) is enough inside a mesh. At free edges it is not: transverse shear of a free square of side L has
     omega^2 = kappa G / (rho L^2) (4 + A m/I), its membrane 4 (1 + |nu|) (c/L)^2. The last term keeps the first below
-    the second, so that rotation never limits the step. It rules for nu < 0.2 only (A/4 at nu = 0, kappa = 1).
+    the second, so that rotation never limits the step. It governs for nu < 0.2 only (A/4 at nu = 0, kappa = 1).
 
     The inertia lowers a plate's frequency by the fraction k^2 I / 2m for wave number k: 0.3 % for the first mode of a
     simply supported square plate of 20 x 20 elements at A/8.

@@ -1,6 +1,6 @@
-"""Strains, hourglass forces and nodal forces of many quadrilaterals: the stages of shell/step.py that are their own.
+"""Strains, hourglass forces and nodal forces of many quadrilaterals: the stages of shell/_step.py.
 
-A block's `section` goes on with the three hourglass moduli; `hourglass (5 rows)` is Q x, y, z and R x, y.
+The last rows of `section` are the three hourglass moduli; `hourglass (5 rows)` is Q x, y, z and R x, y.
 """
 
 from vmharness.explicit.elements.shell._rows import (
@@ -72,7 +72,7 @@ def hourglass_force(work: Array, dt: float, section: Array, viscous: bool, hourg
 def force(work: Array, section: Array) -> None:
     """Forces on the geometry at the end of the step, and the shortest characteristic length so far.
 
-    Mass scaling slows the waves of an element, as if it were longer.
+    Mass scaling slows the waves of an element, which has the same effect as a longer element.
     """
     for e in range(LANES):
         x = load_corners(work, X, e)

@@ -1,31 +1,28 @@
-"""Strain increments and hourglass increments of one step, from nodal velocities on the geometry at mid-step.
+"""Strain and hourglass increments of one step, and their transpose: nodal forces and moments.
 
-Velocity at height z over the mid-surface: v + z (omega_y, -omega_x, 0). With one point in the plane
-(Belytschko, Lin, Tsay 1984)
+Strain increments are taken on the geometry at mid-step. The velocity at height z over the mid-surface is
+v + z (omega_y, -omega_x, 0). With one point in the plane (Belytschko, Lin, Tsay 1984)
 
     d_xx = v_x,x + z omega_y,x        2 d_xy = v_x,y + v_y,x + z (omega_y,y - omega_x,x)
-    d_yy = v_y,y - z omega_x,y        2 d_zx = v_z,x + omega_y,   2 d_yz = v_z,y - omega_x   (omega: the nodes' mean)
+    d_yy = v_y,y - z omega_x,y        2 d_zx = v_z,x + omega_y,   2 d_yz = v_z,y - omega_x   (omega: mean of the nodes)
 
-Hourglass rates:
+The hourglass rates are
 
     gamma . v_x + (h . z) v_z,x,   gamma . v_y + (h . z) v_z,y,   gamma . v_z,   gamma . omega_x,   gamma . omega_y
 
-The terms with h . z take out what a rigid rotation of a warped element does to gamma . v: all thirteen rates vanish
-for any v = v_0 + w x x, omega = w. Forces are the transpose, so they balance, moments included, when warped too.
+The terms with h . z compensate what a rigid rotation of a warped element adds to gamma . v, so that all thirteen rates
+vanish for every rigid motion v = v_0 + w x x, omega = w. In a step of finite rotation v_z,x and v_z,y in the shear are
+scaled to agree with omega of the nodes: shell/_chord.py.
 
-In a step of finite rotation v_z,x and v_z,y in the shear are scaled to agree with the nodes' omega: shell/chord.py.
-
-
-Internal forces and moments of the four nodes: the transpose of the rates, on the geometry at the end of the step.
-
-Power of the resultants (per unit length, over the area A) and of the hourglass forces Q_i, R_i:
+Forces are taken on the geometry at the end of the step. The power of the resultants (per unit length, over the area A)
+and of the hourglass forces Q_i and moments R_i is
 
     A (N_xx v_x,x + N_yy v_y,y + N_xy (v_x,y + v_y,x) + S_zx (v_z,x + omega_y) + S_yz (v_z,y - omega_x)
        + M_xx omega_y,x - M_yy omega_x,y + M_xy (omega_y,y - omega_x,x)) + Q . q + R . r
 
-The coefficients of v,x and v,y make the forces +-p of nodes 1, 3 and +-q of nodes 2, 4 through B; every node bears
-+-Q as the pattern h says, and the moments of the shear in equal parts (Belytschko, Lin, Tsay 1984).
-
+The coefficients of v,x and v,y give, through B, forces +-p of nodes 1, 3 and +-q of nodes 2, 4. Each node takes +-Q
+with the sign of the pattern h, and a quarter of the moments of the shear. As the transpose of the rates, the forces and
+moments of an element are in equilibrium, also of a warped one.
 """
 
 from vmharness.explicit.elements.shell._chord import chord_factor

@@ -1,18 +1,19 @@
-"""The element's own frame: triad, area, the gradient of a linear field, and the shear that curvature adds.
+"""The frame of the element: triad, area, gradient of a linear field, and the shear that curvature adds.
 
         3                  e1 = side 1-2, node 1 at (0, 0), node 2 at (x2, 0), node 3 at (x3, y3)
        / \\    e2           e3 = r21 x r31 / |r21 x r31|
       /   \\   |_ e1        e2 = e3 x e1
      1 --- 2
 
-With linear fields and w the deflection, the shear w,x + omega_y would not vanish in pure bending, where w is quadratic.
-On a side from I to J it does in the mean, tangentially: (w_J - w_I) + t . (beta_I + beta_J)/2 = 0, beta = (omega_y,
--omega_x), t = x_J - x_I. The linear field gamma = (a - c y, b + c x) that has these three means is at the centre
+With linear fields and the deflection w, the shear w,x + omega_y would not vanish in pure bending, where w is quadratic.
+On a side from I to J the mean of its tangential component does: (w_J - w_I) + t . (beta_I + beta_J)/2 = 0 with
+beta = (omega_y, -omega_x), t = x_J - x_I. The linear field gamma = (a - c y, b + c x) with these three means is, at the
+centre,
 
     gamma = grad(w + phi) + beta,   phi_I = 1/2 (kappa_xx x_I^2 + kappa_yy y_I^2 + kappa_xy x_I y_I)
 
-with x_I, y_I from the centre, omega the nodes' mean: the parabola that the curvature bends the element by counts as
-deflection. That is the shear of Kennedy, Belytschko, Lin (1986). The gradient of phi at the nodes is
+with x_I, y_I from the centre and omega the mean of the nodes: phi is the deflection by the curvature of the element.
+That is the shear of Kennedy, Belytschko, Lin (1986). The gradient of phi is
 
     phi,x = a kappa_xx - b kappa_xy                      a = (x2 - 2 x3)/6,   b = y3/6,   c = x3 (x3 - x2) / 2 y3
     phi,y = c kappa_xx + b kappa_yy - a kappa_xy

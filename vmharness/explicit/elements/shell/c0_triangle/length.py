@@ -3,9 +3,10 @@
     ISDO 0, 1   L_s = 2 A / longest side, the smallest height
     ISDO 2      L_s = max(shortest side, 2 A / longest side)
 
-The estimate is the classical one, not a bound: a lone free triangle is stable only up to 0.78 to 0.94 L_s / c, by modes
-of its membrane (equilateral: 2 sqrt 2 / 3 / sqrt(1 + nu), 0.83 at nu = 0.3). A free square of two is stable up to 0.94,
-of eighteen up to 0.97; an element with neither neighbours nor supports needs TSSFAC = 0.75.
+The estimate is the classical one, not a bound: a single free triangle is stable only up to 0.78 to 0.94 L_s / c, the
+limit of the modes of its membrane (equilateral: 2 sqrt 2 / 3 / sqrt(1 + nu), 0.83 at nu = 0.3). A free square of two
+triangles is stable up to 0.94, one of eighteen up to 0.97. An element that has neither neighbours nor supports needs
+TSSFAC = 0.75.
 """
 
 from vmharness.explicit.elements.shell.c0_triangle.frame import Corners

@@ -11,9 +11,9 @@ def nodal_mass(x: Array, thickness: Array, density: float, nu: float, shrf: floa
 
         m = rho t A / 3,   I = m (t^2/12 + 2/9 L^2 s / (2 (1 + |nu|) - s)),   s = kappa (1 - nu)
 
-    with L the longest side. t^2/12 is the plate's own inertia; the rest only serves the stable step: rotation never
-    limits it, since the shear of a free element is below its membrane in frequency. That takes 5/24 L^2 in place of
-    2/9 L^2 for the equilateral triangle and nu >= 0, less for other shapes.
+    with L the longest side. t^2/12 is the inertia of the plate itself; the rest serves the stable step only: the
+    frequency of the shear of a free element is below that of its membrane, so that rotation never limits the step.
+    The equilateral triangle with nu >= 0 would need 5/24 L^2 in place of 2/9 L^2, other shapes less.
 
     `x (ne, 3, 3)`: corners; `thickness (ne,)`; `nu`: Poisson's ratio; `shrf`: shear factor kappa. Consistent units.
     """

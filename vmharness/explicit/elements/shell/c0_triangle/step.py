@@ -1,4 +1,4 @@
-"""Strains and nodal forces of many triangles: the stages of shell/step.py that are their own."""
+"""Strains and nodal forces of many triangles: the stages of shell/_step.py."""
 
 from vmharness.explicit.elements.shell._rows import (
     DENSITY_ROOT,
@@ -36,13 +36,13 @@ def strain(work: Array, dt: float) -> None:
 
 @kernel
 def no_hourglass(work: Array, dt: float, section: Array, viscous: bool, hourglass: Array) -> None:
-    """Three nodes have no hourglass patterns to control."""
+    """Do nothing: three nodes have no hourglass pattern."""
 
 
 def force(work: Array, section: Array) -> None:
     """Forces on the geometry at the end of the step, and the shortest characteristic length so far.
 
-    Mass scaling slows the waves of an element, as if it were longer.
+    Mass scaling slows the waves of an element, which has the same effect as a longer element.
     """
     for e in range(LANES):
         x = load_corners(work, X, e)

@@ -1,23 +1,21 @@
-"""Strain increments of one step, from nodal velocities on the geometry at mid-step.
+"""Strain increments of one step, and their transpose: nodal forces and moments.
 
-Velocity at height z over the mid-surface: v + z (omega_y, -omega_x, 0), linear in the plane. With a, b, c of frame.py
+Strain increments are taken on the geometry at mid-step. The velocity at height z over the mid-surface is
+v + z (omega_y, -omega_x, 0), linear in the plane. With a, b, c of frame.py
 
     d_xx = v_x,x + z k_xx,  k_xx = omega_y,x      2 d_zx = v_z,x + omega_y + a k_xx - b k_xy
     d_yy = v_y,y + z k_yy,  k_yy = -omega_x,y     2 d_yz = v_z,y - omega_x + c k_xx + b k_yy - a k_xy
-    2 d_xy = v_x,y + v_y,x + z k_xy,  k_xy = omega_y,y - omega_x,x         (omega: the nodes' mean)
+    2 d_xy = v_x,y + v_y,x + z k_xy,  k_xy = omega_y,y - omega_x,x         (omega: mean of the nodes)
 
-All vanish for any v = v_0 + w x x, omega = w, and, as in the quadrilateral, for a step of finite rotation (chord.py).
+All vanish for every rigid motion v = v_0 + w x x, omega = w, and for a step of finite rotation: shell/_chord.py.
 
-
-Internal forces and moments of the three nodes: the transpose of the rates, on the geometry at the end of the step.
-
-Power of the resultants (per unit length, over the area A), with a, b, c of frame.py:
+Forces are taken on the geometry at the end of the step. The power of the resultants (per unit length, over the area A)
+is
 
     A (N . d + S_zx (v_z,x + omega_y) + S_yz (v_z,y - omega_x) + M* . k)
     M*_xx = M_xx + a S_zx + c S_yz,   M*_yy = M_yy + b S_yz,   M*_xy = M_xy - b S_zx - a S_yz
 
-The coefficients of v,x and v,y make the forces of nodes 2 and 3 through B; node 1 bears the opposite of both.
-
+The coefficients of v,x and v,y give, through B, the forces of nodes 2 and 3; node 1 takes their sum, reversed.
 """
 
 from vmharness.explicit.elements.shell._chord import chord_factor

@@ -6,9 +6,10 @@ At a point the velocity gradient L gives the strain rate, whose trace is replace
 
 so that nearly incompressible material does not lock (selective reduced integration; T. J. R. Hughes, Generalization of
 selective integration procedures to anisotropic and nonlinear media, International Journal for Numerical Methods in
-Engineering 15 (1980) 1413-1418). Forces are the transpose. There are no hourglass modes. All points turn with the
-element's mean spin. In bending, elements longer than thick are too stiff by shear, and one alone across a
-beam too soft, for its pressure is constant: a beam takes cubes, two or more through its depth.
+Engineering 15 (1980) 1413-1418). Forces are the transpose. There are no hourglass modes. All points rotate with
+the mean spin of the element. In bending, an element that is longer than thick is too stiff (shear locking), and a
+single element through the depth of a beam is too soft, since its pressure is constant: a beam needs cubes, two or more
+through its depth.
 """
 
 from vmharness.deck import Deck

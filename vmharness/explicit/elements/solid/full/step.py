@@ -1,7 +1,7 @@
 """One step of many fully integrated solids: motion, then strain, stress and force point by point.
 
-Arrays per block of LANES elements as those of the one-point solid (hexa_one_point/step.py), but `stress (blocks, 8, 6
-rows)` and `history (blocks, 8, rows)`; of what an element keeps, the hourglass forces stay zero.
+Arrays per block of LANES elements as those of the one-point solid (one_point/step.py), but `stress (blocks, 8, 6
+rows)` and `history (blocks, 8, rows)`; in `kept` the hourglass forces are zero.
 """
 
 from typing import Any
@@ -89,7 +89,7 @@ def force_at_point(work: Array, stress: Array, xi: float, eta: float, zeta: floa
 
 @kernel
 def force(work: Array) -> None:
-    """Nodal forces: to the deviators' forces comes that of the mean stress less bulk viscosity, (p - q) int b_k."""
+    """Nodal forces: those of the deviators, and (p - q) int b_k of the mean stress p less bulk viscosity q."""
     for e in range(LANES):
         volume, b = mean(load_patterns(work, X, e))
         p = work[TENSION * LANES + e] / volume - work[PRESSURE * LANES + e]
@@ -130,7 +130,7 @@ def step(
     # buffer
     work: Array,
 ) -> float:
-    """Bring stresses to t_n, add forces there, and the step's work to `energy[0]`; the shortest stable step.
+    """Bring stresses to t_n, add forces and the work of the step; return the shortest stable step.
 
     `x`, `v`, `f` (n, 3); `modulus`: rho c^2; `viscous`: Q1, Q2; `hourglass` is not used.
     """

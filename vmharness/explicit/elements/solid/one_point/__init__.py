@@ -8,8 +8,8 @@ solid elements.
     step.py        one step of many elements: motion, strain, stress, forces
     build.py       from the deck
 
-What it shares with other solids is in solid/. The gradient is the mean over the volume, so that strain is
-exact for linear fields in any shape, and volume too; the stress obeys the Jaumann rate.
+The gradient is the mean over the volume, so that strain is exact for linear fields in any shape, and volume too. The
+stress obeys the Jaumann rate.
 """
 
 from vmharness.explicit.elements.solid.one_point.build import build

@@ -1,4 +1,4 @@
-"""Hourglass control: resistance to the twelve motions, patterns 4 to 7 along three axes, that one point does not feel.
+"""Hourglass control: resistance to patterns 4 to 7 along three axes, twelve motions without strain at the one point.
 
 With the patterns x_a of the geometry and v_a of the velocity, the rates
 
@@ -14,10 +14,10 @@ Force on a pattern (64 h_a on nodal forces of the size h_a):
     viscous     Q = 16 QM rho c V^(2/3) q                          (at the nodes QM rho c V^(2/3) / 4, as LS-DYNA)
     stiffness   dQ/dt = QM rho c^2 sum |int b_k|^2 / (2 V) q       (Flanagan, Belytschko 1981)
 
-Moduli are those of the initial geometry. The stiffness form keeps Q in the frame that turns with the element; it stores
-just the energy sum Q^2 / 2C. On a cube of side L the pattern's frequency is sqrt(6 QM) c/L; at nu = 0.3, QM = 0.165
-gives an element in bending its right stiffness. The viscous force itself limits the step to 2 m q / Q =
-V^(1/3) / (8 QM c): that rules where QM is above about 0.125.
+Moduli are those of the initial geometry. The stiffness form keeps Q in the frame that rotates with the element; its
+stored energy is sum Q^2 / 2C. On a cube of side L the pattern's frequency is sqrt(6 QM) c/L; at nu = 0.3, QM = 0.165
+gives an element the exact stiffness in bending. The viscous force itself limits the step to 2 m q / Q =
+V^(1/3) / (8 QM c): it governs where QM is above about 0.125.
 """
 
 from dataclasses import dataclass

@@ -1,8 +1,8 @@
 """One step of many solids with one point: motion, strain, stress, hourglass forces, forces at the end of the step.
 
-Arrays per block of LANES elements, with rows as in hexahedron/rows.py: `nodes (blocks, 8 rows)`; `fixed (blocks, 2
+Arrays per block of LANES elements, with rows as in solid/_rows.py: `nodes (blocks, 8 rows)`; `fixed (blocks, 2
 rows)`, mass and hourglass modulus; `kept (blocks, 17 rows)`, frame, bulk viscosity, hourglass forces; `stress (blocks,
-1, 6 rows)`; `history (blocks, 1, rows)`. The last block is filled up with copies of the last element, which add neither
+1, 6 rows)`; `history (blocks, 1, rows)`. The last block is filled with copies of the last element, which add neither
 force nor energy.
 """
 
@@ -107,7 +107,7 @@ def step(
     # buffer
     work: Array,
 ) -> float:
-    """Bring stresses to t_n, add forces there, and the step's work to `energy`; the shortest stable step.
+    """Bring stresses to t_n, add forces and the work of the step; return the shortest stable step.
 
     `x`, `v`, `f` (n, 3); `modulus`: rho c^2; `viscous`: Q1, Q2; `hourglass`: viscous form?, projected?; `energy` (2,):
     internal, hourglass.
