@@ -77,6 +77,7 @@ class Solution:
     solver: str  # name and version
     history: History | None
     failure: str = ""  # why the run ended before its end, or did not begin
+    lost: bool = False  # the solver is missing, or its program failed: that says nothing of the deck
     facts: Mapping[str, str] = field(default_factory=dict)  # for the provenance: time step, cycles, ...
     cycles: int = 0
     seconds: float = 0.0

@@ -30,12 +30,14 @@ def solve(
     found = backend.found()
     solver = full_name(backend, found)
     if found.missing:
-        return Solution(solver, None, f"{backend.NAME} cannot run here: {found.missing}")
+        return Solution(solver, None, f"{backend.NAME} cannot run here: {found.missing}", lost=True)
     try:
         deck = read_deck(case)
         output = backend.solve(Job(deck, case.file.channels, folder, progress))
-    except (CaseError, DeckError, SubprocessError) as error:
+    except (CaseError, DeckError) as error:
         return Solution(solver, None, str(error))
+    except SubprocessError as error:
+        return Solution(solver, None, str(error), lost=True)
     if output.history is None:
         return Solution(solver, None, output.failure or "the solver gave no history")
     return Solution(

@@ -1,4 +1,5 @@
 import shutil
+import tempfile
 from dataclasses import replace
 from pathlib import Path
 
@@ -75,6 +76,34 @@ def test_what_the_outcome_depends_on_is_in_the_key(ball, installed):
     ]
     assert len(set(keys)) == len(keys)
     assert key(case) == Variant(case, "another label").key("builtin")
+
+
+FAILS = """
+from vmharness.backends.protocol import Found
+from vmharness.execution.program import ProgramError
+
+NAME = "Other"
+review = reports = None
+
+def found():
+    return Found(version="1.0")
+
+def solve(job):
+    (job.folder / "messag").write_text("no licence")
+    raise ProgramError("other failed, exit code 1")
+"""
+
+
+def test_the_failure_of_a_program_is_not_kept_and_no_files_of_it_are(ball, installed, tmp_path, monkeypatch):
+    installed("other", FAILS)
+    temporary = tmp_path / "temporary"
+    temporary.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(temporary))
+    outcomes = [event for _, event in gather([Variant(ball)], solver="other") if isinstance(event, Measured)]
+    assert [outcome.failure for outcome in outcomes] == ["other failed, exit code 1"]
+    assert outcomes[0].lost
+    assert kept(Variant(ball).key("other")) is None
+    assert not list(temporary.iterdir())
 
 
 def test_the_version_of_a_solver_and_the_text_of_its_adapter_are_in_the_key(ball, installed):

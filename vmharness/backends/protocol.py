@@ -69,7 +69,10 @@ class Backend(Protocol):
         """The energies of the whole model that it can record, by name; raises DeckError as `solve` does."""
 
     def solve(self, job: Job) -> Output:
-        """Run the job; raises DeckError for what it cannot represent, ProgramError where its program fails."""
+        """Run the job; raises DeckError for what it cannot represent.
+
+        Raises ProgramError where its program fails for reasons that are not the deck's, such as a missing licence.
+        """
 
 
 def full_name(backend: Backend, found: Found) -> str:

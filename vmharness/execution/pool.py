@@ -6,7 +6,7 @@ import multiprocessing
 import signal
 import time
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
@@ -64,7 +64,7 @@ class Pool:
         tasks: Sequence[Any],
         timeout: float = math.inf,
         arguments: Sequence[tuple[Any, ...]] | None = None,
-    ) -> Iterator[tuple[int, Message]]:
+    ) -> Generator[tuple[int, Message], None, None]:
         """Yield (number of the task, message) until every task is Done, Raised or Lost, which each is just once.
 
         A task that is not done `timeout` seconds after it was given to a worker is lost, and the worker with it. So are
@@ -142,7 +142,7 @@ def _receive(worker: Worker) -> Message:
         message: Message = worker.connection.recv()
         return message
     except (EOFError, OSError):
-        worker.process.join(1.0)  # it says how it ended, before it is killed for certain
+        wait([worker.process.sentinel], 1.0)  # it ends by itself, before it is killed for certain
         _kill(worker)
         ended = ending(worker.process.exitcode)
         return Lost(f"the worker process ended: {ended}", outside=ended.endswith(OUTSIDE))

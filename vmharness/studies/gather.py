@@ -2,7 +2,7 @@
 
 import contextlib
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import ExitStack
+from contextlib import ExitStack, closing
 from dataclasses import replace
 from pathlib import Path
 
@@ -51,10 +51,11 @@ def gather(
         arguments = [(solver, task.fault, plant if planted else None) for task in tasks]
         with ExitStack() as stack:
             own = None if planted else workers
+            folders = stack.enter_context(WorkFolders())  # left last, when nothing is written there any more
             at_work = own or stack.enter_context(Pool(min(jobs, len(tasks)), serving, *arguments[0]))
-            folders = stack.enter_context(WorkFolders())
             work = [(variant, folders.folder(task)) for task, variant in enumerate(tasks)]
-            for task, message in _outcomes(at_work.each(work, timeout, arguments), keys, folders):
+            messages = stack.enter_context(closing(at_work.each(work, timeout, arguments)))
+            for task, message in _outcomes(messages, keys, folders):
                 for number in waiting[keys[task]]:
                     yield number, message
 
@@ -94,7 +95,8 @@ def _outcomes(
             folders.close(task)
         match message:
             case Done(outcome):
-                keep(keys[task], outcome)
+                if not outcome.lost:
+                    keep(keys[task], outcome)
                 yield task, outcome
             case Lost(reason, outside):
                 yield task, Measured(failure=reason, lost=outside)

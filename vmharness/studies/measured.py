@@ -80,6 +80,7 @@ def measured(run: "CaseRun", strides: Sequence[int] = ()) -> Measured:
         results={row.key: _value(row) for row in run.rows},
         events={name: None if isinstance(event, str) else event.time for name, event in run.events.items()},
         failure=solution.failure,
+        lost=solution.lost,
         cycles=solution.cycles,
         seconds=run.seconds,
         history_sha256=_sha256(solution.history) if solution.history else "",

@@ -3,6 +3,7 @@
 import time
 import traceback
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, closing
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
@@ -44,9 +45,10 @@ def judged(
 ) -> Iterator[tuple[int, Message | Outcome]]:
     """Yield (number of the case, Began or Progress or its Outcome), each outcome as soon as it is known."""
     began: dict[int, float] = {}
-    with WorkFolders() as folders:
+    with ExitStack() as stack:
+        folders = stack.enter_context(WorkFolders())  # left last, when nothing is written there any more
         tasks = [(case, folders.folder(number)) for number, case in enumerate(cases)]
-        for number, message in pool.each(tasks, timeout):
+        for number, message in stack.enter_context(closing(pool.each(tasks, timeout))):
             case = cases[number]
             match message:
                 case Began():
