@@ -7,7 +7,7 @@ added and constraints act in the order in which they were built. Each line of `b
 import numpy as np
 
 from vmharness import plugins
-from vmharness.deck import Deck
+from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.deck.keywords.node import NODE
@@ -30,7 +30,7 @@ from vmharness.mesh.nodes import nodes_of
 def build(deck: Deck) -> Model:
     """The model of a deck; raises DeckError for input that is not supported, and for a free node without mass."""
     model = _nodes(deck)
-    _add_all("elements", deck, model)  # first: all others read their mass, stiffness and steps
+    _add_all("elements", deck, model)  # first: contacts, steps and rigid bodies read their mass and stiffness
     element_mass.build(deck, model)  # with the elements: it completes the mass that rigid bodies sum up
     _add_all("contact.kinds", deck, model)  # before velocities, walls and bodies: IGNORE moves nodes
     contacts.report_control(deck, model)  # after the contacts: its fact is listed behind theirs
@@ -41,8 +41,8 @@ def build(deck: Deck) -> Model:
     spc.build(deck, model)  # before mass damping, which leaves out supported directions
     mass_damping.build(deck, model)  # before walls, which act on the accelerations that damping leaves
     planar.build(deck, model)  # after motions: it leaves out nodes that one rules along the normal
-    stiffness_damping.build(deck, model)  # before mass is scaled: COEF > 0 refers to the first steps
-    limits.add_caps(deck, model)  # before contacts compare their steps: a cap can make the step short
+    stiffness_damping.build(deck, model)  # before mass is scaled: COEF > 0 refers to unscaled steps
+    limits.add_caps(deck, model)  # before contacts report their steps, which caps may make unimportant
     limits.reserve_mass(model)  # before mass is scaled: m_e/h_e^2 is a stiffness, which must not change
     mass_scaling.build(deck, model)  # after all constraints on nodes, whose velocities it keeps
     limits.report_contact_steps(deck, model)  # after mass is scaled: it compares the steps that result
@@ -69,14 +69,14 @@ def _nodes(deck: Deck) -> Model:
     n = ids.size
     state = State(x.copy(), np.zeros((n, 3)), np.zeros((n, 3)), np.zeros(n), np.zeros(n))
     termination = deck.one(CONTROL_TERMINATION)
-    timestep = deck.first(CONTROL_TIMESTEP)
+    timestep = deck.first(CONTROL_TIMESTEP) or Entry.of_defaults(CONTROL_TIMESTEP)
     return Model(
         ids=ids,
         x0=x,
         state=state,
         end_time=termination.endtim,
         end_cycle=termination.endcyc or np.iinfo(np.int64).max,
-        step_factor=timestep.tssfac if timestep else 0.9,
+        step_factor=timestep.tssfac,
         dtmin=termination.dtmin,
         ncpu=ncpu(deck),
     )
