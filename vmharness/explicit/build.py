@@ -42,7 +42,7 @@ def build(deck: Deck) -> Model:
     mass_damping.build(deck, model)  # before walls, which act on the accelerations that damping leaves
     planar.build(deck, model)  # after motions: it leaves out nodes that one rules along the normal
     stiffness_damping.build(deck, model)  # before mass is scaled: COEF > 0 refers to unscaled steps
-    limits.add_caps(deck, model)  # before contacts report their steps, which caps may make unimportant
+    limits.add_caps(deck, model)  # before contacts report their steps, which are compared with caps too
     limits.reserve_mass(model)  # before mass is scaled: m_e/h_e^2 is a stiffness, which must not change
     mass_scaling.build(deck, model)  # after all constraints on nodes, whose velocities it keeps
     limits.report_contact_steps(deck, model)  # after mass is scaled: it compares the steps that result

@@ -113,7 +113,7 @@ class PrescribedMotion:
         self.total[self.dof] = self.reaction.sum()
 
     def move(self, state: State, dt: float) -> None:
-        """Set v_{n+1/2} so that the displacement at t_{n+1} is that of the curve."""
+        """Set v_{n+1/2} so that the displacement at t_{n+1} is that of the curve, or the integral of its velocity."""
         self.drives = self.birth <= state.t < self.death
         if self.drives and self.vad != ACCELERATION:
             t = state.t - self.birth

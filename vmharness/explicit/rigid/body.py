@@ -25,7 +25,7 @@ from vmharness.explicit.rigid.definitions import (
 from vmharness.explicit.rigid.inertia import Inertia, inertia_of_card, inertia_of_points, lever_arms
 from vmharness.mesh.sets import node_set, nodes_of_parts
 
-ROUND_OFF = 1e-3  # of the farthest node: a node this near the axis of a tensor, given in the digits of a card, is on it
+ON_AXIS = 1e-3  # of the distance of the farthest node: a nearer node is on the axis, as cards have few digits
 
 
 @dataclass
@@ -120,6 +120,6 @@ def _check_lever_arms(model: Model, body: RigidBody, inertia: Inertia) -> None:
     """About an axis without inertia no node has a lever arm: a force there would give an infinite acceleration."""
     x = model.x0[body.nodes]
     arms, farthest = lever_arms(inertia, x), np.abs(x - inertia.centre).max(initial=0.0)
-    for row in body.nodes[arms > ROUND_OFF * farthest]:
+    for row in body.nodes[arms > ON_AXIS * farthest]:
         what = f"a principal moment is zero, but node {model.ids[row]} is off that axis, and forces there have a moment"
         raise body.entry.error("ixx", what)

@@ -79,9 +79,8 @@ class MassScaling:
         self.model, self.blocks, self.aim = model, blocks, aim
         self.energy = {"damping": np.zeros(1), "external work": np.zeros(1)}
         self.fixed = self.free = np.zeros((model.ids.size, 6), bool)
-        self._added = {
-            block.name: np.zeros(block.mass.size) for block in blocks
-        }  # over the element's own mass
+        # By block, the added mass (ne,) of each element over its own mass.
+        self._added = {block.name: np.zeros(block.mass.size) for block in blocks}
 
     def add_mass(self, block: Scalable) -> None:
         """Raise the density of those elements of a block whose step is below the aim."""
