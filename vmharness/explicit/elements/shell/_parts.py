@@ -8,8 +8,8 @@ from vmharness.deck import Deck
 from vmharness.deck.keywords.element.shell import ELEMENT_SHELL, ELEMENT_SHELL_THICKNESS
 from vmharness.deck.keywords.section.shell import SECTION_SHELL
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.parts import Index, Part, parts
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.parts import Part, parts
+from vmharness.explicit.model.state import Array, Index
 
 
 def shell_parts(deck: Deck, model: Model, corners: int) -> Iterator[Part]:
