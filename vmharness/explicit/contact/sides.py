@@ -14,8 +14,7 @@ from vmharness.explicit.contact.surface.nodal import nodal_area, nodal_penalty, 
 from vmharness.explicit.contact.surface.orient import faces_away, turned
 from vmharness.explicit.contact.thickness import capped, contact_thickness, release_depth
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.parts import Index
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.state import Array, Index
 
 SEGMENTS_STIFFNESS = 2  # PENOPT
 

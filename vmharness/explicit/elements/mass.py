@@ -1,4 +1,4 @@
-"""*ELEMENT_MASS: a mass lumped on a node, without rotary inertia; it feels body loads."""
+"""*ELEMENT_MASS: a mass lumped on a node, without rotary inertia. Body loads act on it."""
 
 from vmharness.deck import Deck
 from vmharness.deck.keywords.element.mass import ELEMENT_MASS

@@ -20,7 +20,7 @@ from vmharness.deck.keywords.set.segment import SET_SEGMENT
 from vmharness.deck.keywords.set.shell import SET_SHELL_LIST
 from vmharness.explicit.contact.surface.facets import Facets, exterior
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.parts import Index
+from vmharness.explicit.model.state import Index
 from vmharness.mesh.faces import corner_sets
 from vmharness.mesh.sets import node_set
 

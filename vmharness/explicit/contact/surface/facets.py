@@ -17,8 +17,8 @@ from vmharness.deck import Deck
 from vmharness.explicit.elements.shell import shell_parts, thickness
 from vmharness.explicit.elements.solid import ELFORMS, solid_parts, volume
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.parts import Index, Part
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.parts import Part
+from vmharness.explicit.model.state import Array, Index
 from vmharness.mesh.faces import area_vectors, faces_of_solids, outside
 
 

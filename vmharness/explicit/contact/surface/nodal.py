@@ -3,8 +3,7 @@
 import numpy as np
 
 from vmharness.explicit.contact.surface.facets import Facets, area, exterior
-from vmharness.explicit.model.parts import Index
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.state import Array, Index
 
 
 def nodal_penalty(every: Facets, tracked: Index, nodes: int) -> Array:

@@ -1,4 +1,4 @@
-"""Truss (*SECTION_BEAM ELFORM = 3): a straight bar of constant cross-section that bears axial force alone.
+"""Truss (*SECTION_BEAM ELFORM = 3): a straight bar of constant cross-section with axial force alone.
 
 With d = x_2 - x_1 and L = |d|, the strain increment of a step is the mid-point rule of the logarithmic strain,
 

@@ -8,8 +8,8 @@ from vmharness.deck import Deck
 from vmharness.deck.keywords.element.shell import ELEMENT_SHELL, ELEMENT_SHELL_THICKNESS
 from vmharness.deck.keywords.section.shell import SECTION_SHELL
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.parts import Index, Part, parts
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.parts import Part, parts
+from vmharness.explicit.model.state import Array, Index
 
 
 def shell_parts(deck: Deck, model: Model, corners: int) -> Iterator[Part]:
@@ -50,7 +50,7 @@ def volume(part: Part, x: Array) -> Array:
 
 
 def thickness(part: Part) -> Array:
-    """Mean of the nodal thicknesses (ne,): the element's own where it gives one, else the section's."""
+    """Mean of the nodal thicknesses (ne,): those of the element where it gives them, else those of the section."""
     section, corners = part.section, part.nodes.shape[1]
     usual = [section.t1, *(t if t > 0.0 else section.t1 for t in (section.t2, section.t3, section.t4))]
     own = np.column_stack([part.column(f"thic{i}") for i in range(1, corners + 1)])

@@ -5,7 +5,8 @@ With the energy U of the deformations, g = dU/dr and the outer normal part taken
     f_2 = dU/dL r + (g - (g . r) r) / L = -f_1
 
 and a small rotation w of a node changes s by w x s, so that dU/d(r . t) enters its moment as t x r.
-The nodes feel the opposite. The resultants on the cross-section whose outer normal is r follow from the same terms.
+The nodes get the opposite of these internal forces. The resultants on the cross-section whose outer normal is r follow
+from the same terms.
 
 With stiffness damping (damping/stiffness.py) the resultants R = dU/d(deformation) become R + beta dR/dt.
 """

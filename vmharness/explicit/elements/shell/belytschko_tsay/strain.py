@@ -69,7 +69,7 @@ def increments(
 def nodal_forces(
     x: Corners, N: Vector, M: Vector, S: Vector, Q: Vector, R: Vector
 ) -> tuple[Corners, Corners]:
-    """Internal forces and moments of nodes 1 to 4, as vectors in space; the nodes feel the opposite.
+    """Internal forces and moments of nodes 1 to 4, as vectors in space; the nodes get the opposite.
 
     `x`: corners; `N`, `M`: resultants xx, yy, xy; `S`: shear resultants yz, zx, 0; `Q`: hourglass forces x, y, z;
     `R`: hourglass moments x, y, 0.

@@ -56,7 +56,7 @@ def increments(x: Corners, v: Corners, omega: Corners, dt: float) -> tuple[float
 
 @inlined
 def nodal_forces(x: Corners, N: Vector, M: Vector, S: Vector) -> tuple[Corners, Corners]:
-    """Internal forces and moments of nodes 1 to 3, as vectors in space; the nodes feel the opposite.
+    """Internal forces and moments of nodes 1 to 3, as vectors in space; the nodes get the opposite.
 
     `x`: corners; `N`, `M`: resultants xx, yy, xy; `S`: shear resultants yz, zx, 0.
     """

@@ -58,12 +58,12 @@ class Hourglass:
 
     @property
     def viscous(self) -> bool:
-        """True when forces follow the rates, not the displacements."""
+        """Whether forces are proportional to the rates, not to the displacements."""
         return self.ihq <= 3
 
     @property
     def projected(self) -> bool:
-        """True when linear velocity fields are left alone."""
+        """Whether linear velocity fields have no hourglass force."""
         return self.ihq != 1
 
 
