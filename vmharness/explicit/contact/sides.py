@@ -8,7 +8,7 @@ import numpy as np
 
 from vmharness.deck import Deck, Entry
 from vmharness.explicit.contact.records import Segments, Tracked
-from vmharness.explicit.contact.surface.choice import ALL, SEGMENT_SET, facets_of_surface, nodes_of_surface
+from vmharness.explicit.contact.surface.choice import facets_of_surface, nodes_of_surface
 from vmharness.explicit.contact.surface.facets import Facets
 from vmharness.explicit.contact.surface.nodal import nodal_area, nodal_penalty, nodal_thickness
 from vmharness.explicit.contact.surface.orient import faces_away, turned
@@ -16,6 +16,7 @@ from vmharness.explicit.contact.thickness import capped, contact_thickness, rele
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Index
 from vmharness.explicit.model.state import Array
+from vmharness.mesh.surface import ALL, SEGMENT_SET
 
 SEGMENTS_STIFFNESS = 2  # PENOPT
 

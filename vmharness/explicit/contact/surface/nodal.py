@@ -2,9 +2,10 @@
 
 import numpy as np
 
-from vmharness.explicit.contact.surface.facets import Facets, area, exterior
+from vmharness.explicit.contact.surface.facets import Facets, area
 from vmharness.explicit.model.parts import Index
 from vmharness.explicit.model.state import Array
+from vmharness.mesh.surface import exterior
 
 
 def nodal_penalty(every: Facets, tracked: Index, nodes: int) -> Array:
