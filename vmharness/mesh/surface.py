@@ -5,7 +5,8 @@
 A face that two solids of one surface share is not on its outside, and no part of it.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,12 +21,14 @@ from vmharness.deck.keywords.contact import (
     CONTACT_SURFACE_TO_SURFACE,
 )
 from vmharness.deck.keywords.element.solid import ELEMENT_SOLID
+from vmharness.deck.keywords.part import PART
+from vmharness.deck.keywords.set.part import SET_PART_LIST
 from vmharness.deck.keywords.set.segment import SET_SEGMENT
 from vmharness.deck.keywords.set.shell import SET_SHELL_LIST
 from vmharness.mesh.elements import by_part, elements, shells
 from vmharness.mesh.faces import faces_of_solids, outside
 from vmharness.mesh.nodes import Index, Nodes
-from vmharness.mesh.sets import node_set, part_set
+from vmharness.mesh.sets import node_set
 
 SEGMENT_SET, SHELL_SET, PART_SET, ONE_PART, NODE_SET, ALL, EXEMPT = range(7)
 
@@ -50,6 +53,10 @@ class Faces:
     pid: NDArray[np.int64]  # of the part
     eid: NDArray[np.int64]  # of the element
 
+    def only(self, chosen: NDArray[np.bool_] | Index) -> Self:
+        """The chosen ones."""
+        return type(self)(*(getattr(self, column.name)[chosen] for column in fields(self)))
+
 
 def all_faces(deck: Deck, nodes: Nodes) -> Faces:
     """The faces of all shells and solids, also where two solids share one."""
@@ -63,16 +70,21 @@ def all_faces(deck: Deck, nodes: Nodes) -> Faces:
     )
 
 
+def exterior(faces: Faces) -> NDArray[np.bool_]:
+    """Which faces (n,) can be touched: all shells, and those of solids that one of the solids alone has."""
+    touchable = faces.shell.copy()
+    touchable[~faces.shell] = outside(faces.nodes[~faces.shell])
+    return touchable
+
+
 def segments(deck: Deck, nodes: Nodes, every: Faces, contact: Entry, side: str) -> Index:
     """The segments (ns, 4) of side "a" or "b" of a contact, among `every` face of the deck."""
     field, kind = _named(contact, side)
     if kind == SEGMENT_SET:
         found = deck.find(SET_SEGMENT, sid=getattr(contact, field), referred_by=(contact, field))
         return nodes.corners(found, ("n1", "n2", "n3", "n4"))
-    chosen = np.flatnonzero(_chosen(deck, every, contact, field, kind))
-    inner = ~every.shell[chosen]
-    inner[inner] = ~outside(every.nodes[chosen[inner]])
-    return every.nodes[chosen[~inner]]
+    chosen = every.only(named_faces(deck, every, contact, field, kind))
+    return chosen.nodes[exterior(chosen)]
 
 
 def surface_nodes(deck: Deck, nodes: Nodes, every: Faces, contact: Entry, side: str) -> Index:
@@ -90,14 +102,28 @@ def _named(contact: Entry, side: str) -> tuple[str, int]:
     return field, ALL if single else getattr(contact, f"{field}typ")
 
 
-def _chosen(deck: Deck, every: Faces, contact: Entry, field: str, kind: int) -> NDArray[np.bool_]:
-    """Which faces belong to the parts or shells that are named, those between solids included."""
+def named_faces(deck: Deck, every: Faces, contact: Entry, field: str, kind: int) -> NDArray[np.bool_]:
+    """Which faces (n,) belong to the parts or shells that `field` names, those between solids included.
+
+    Raises DeckError where it names a part or a shell that the deck does not have.
+    """
     number = getattr(contact, field)
     if kind == ALL:
         return np.ones(every.pid.size, bool)
     if kind == SHELL_SET:
         named = deck.find(SET_SHELL_LIST, sid=number, referred_by=(contact, field))
+        for row in np.flatnonzero(~np.isin(named.shells, every.eid[every.shell])):
+            raise named.error("shells", f"no *ELEMENT_SHELL {named.shells[row]}", int(row))
         return every.shell & np.isin(every.eid, named.shells)
     if kind == ONE_PART:
+        deck.find(PART, pid=number, referred_by=(contact, field))
         return every.pid == number
-    return np.isin(every.pid, list(part_set(deck, contact, field)), invert=kind == EXEMPT)
+    return np.isin(every.pid, defined_parts(deck, contact, field), invert=kind == EXEMPT)
+
+
+def defined_parts(deck: Deck, contact: Entry, field: str) -> list[int]:
+    """The parts of the part set that `field` names; raises DeckError for one that the deck does not have."""
+    found = deck.find(SET_PART_LIST, sid=getattr(contact, field), referred_by=(contact, field))
+    for row, number in enumerate(found.parts.tolist()):
+        deck.find(PART, pid=number, referred_by=(found, "parts", row))
+    return sorted(found.parts.tolist())

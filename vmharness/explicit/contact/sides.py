@@ -8,13 +8,14 @@ import numpy as np
 
 from vmharness.deck import Deck, Entry
 from vmharness.explicit.contact.records import Segments, Tracked
-from vmharness.explicit.contact.surface.choice import ALL, SEGMENT_SET, facets_of_surface, nodes_of_surface
+from vmharness.explicit.contact.surface.choice import facets_of_surface, nodes_of_surface
 from vmharness.explicit.contact.surface.facets import Facets
 from vmharness.explicit.contact.surface.nodal import nodal_area, nodal_penalty, nodal_thickness
 from vmharness.explicit.contact.surface.orient import faces_away, turned
 from vmharness.explicit.contact.thickness import capped, contact_thickness, release_depth
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Array, Index
+from vmharness.mesh.surface import ALL, SEGMENT_SET
 
 SEGMENTS_STIFFNESS = 2  # PENOPT
 

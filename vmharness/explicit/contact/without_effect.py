@@ -9,7 +9,7 @@ from typing import Any
 
 from vmharness.deck import Deck, Entry, Keyword
 from vmharness.explicit.contact.cards import number_of
-from vmharness.explicit.contact.surface.choice import ALL
+from vmharness.mesh.surface import ALL
 
 Reason = tuple[tuple[str, ...], str]  # fields, and why they do not act
 

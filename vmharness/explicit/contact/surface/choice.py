@@ -1,30 +1,31 @@
-"""Which facets and nodes a contact surface has: SURFATYP and SURFBTYP.
+"""Which facets and nodes a contact surface has: SURFATYP and SURFBTYP (mesh/surface.py).
 
-    0 segment set   1 shell set   2 part set   3 part   4 node set   5 all   6 all but a part set
-
-A face that two solids of one surface share is not on its outside, and no part of it. A segment of a set takes stiffness
-and thickness from the shell, or else the solid, that has the same corners. Beams have no facets: 5 and 6 refuse a deck
-in which they would be part of the surface.
+A segment of a set takes stiffness and thickness from the shell, or else the solid, that has the same corners. Beams
+have no facets: 5 and 6 refuse a deck in which they would be part of the surface.
 """
 
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.element.beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
-from vmharness.deck.keywords.part import PART
-from vmharness.deck.keywords.set.part import SET_PART_LIST
 from vmharness.deck.keywords.set.segment import SET_SEGMENT
-from vmharness.deck.keywords.set.shell import SET_SHELL_LIST
-from vmharness.explicit.contact.surface.facets import Facets, exterior
+from vmharness.explicit.contact.surface.facets import Facets
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Index
 from vmharness.mesh.faces import corner_sets
 from vmharness.mesh.sets import node_set
-
-SEGMENT_SET, SHELL_SET, PART_SET, ONE_PART, NODE_SET, ALL, EXEMPT = range(7)
+from vmharness.mesh.surface import (
+    ALL,
+    EXEMPT,
+    NODE_SET,
+    PART_SET,
+    SEGMENT_SET,
+    defined_parts,
+    exterior,
+    named_faces,
+)
 
 
 def facets_of_surface(deck: Deck, model: Model, every: Facets, entry: Entry, field: str, kind: int) -> Facets:
@@ -34,7 +35,8 @@ def facets_of_surface(deck: Deck, model: Model, every: Facets, entry: Entry, fie
     """
     if kind == SEGMENT_SET:
         return _segment_set(deck, model, every, entry, field)
-    chosen = every.only(_chosen(deck, every, entry, field, kind))
+    _check_parts(deck, every, entry, field, kind)
+    chosen = every.only(named_faces(deck, every, entry, field, kind))
     if not chosen.pid.size:
         raise entry.error(field, "the surface has neither shells nor solids")
     return chosen.only(exterior(chosen))
@@ -47,34 +49,16 @@ def nodes_of_surface(deck: Deck, model: Model, every: Facets, entry: Entry, fiel
     return np.unique(facets_of_surface(deck, model, every, entry, field, kind).nodes)
 
 
-def _chosen(deck: Deck, every: Facets, entry: Entry, field: str, kind: int) -> NDArray[np.bool_]:
-    """Which facets belong to the parts or shells that are named, those between solids included."""
-    number = getattr(entry, field)
+def _check_parts(deck: Deck, every: Facets, entry: Entry, field: str, kind: int) -> None:
+    """Parts that are named have facets, and none that the surface takes in is beams."""
     if kind == ALL:
         _check_beams(deck, entry, field, [])
-        return np.ones(every.pid.size, bool)
-    if kind == SHELL_SET:
-        named = deck.find(SET_SHELL_LIST, sid=number, referred_by=(entry, field))
-        for row in np.flatnonzero(~np.isin(named.shells, every.eid[every.shell])):
-            raise named.error("shells", f"no *ELEMENT_SHELL {named.shells[row]}", int(row))
-        return every.shell & np.isin(every.eid, named.shells)
-    if kind == ONE_PART:
-        deck.find(PART, pid=number, referred_by=(entry, field))
-        return every.pid == number
-    parts = _defined(deck, entry, field)
-    if kind == EXEMPT:
-        _check_beams(deck, entry, field, parts)
-    if kind == PART_SET and (bare := sorted(set(parts) - set(every.pid.tolist()))):
-        raise entry.error(field, f"part {bare[0]} of the set has neither shells nor solids")
-    return np.isin(every.pid, parts, invert=kind == EXEMPT)
-
-
-def _defined(deck: Deck, entry: Entry, field: str) -> list[int]:
-    """The parts of a part set, each of which there must be."""
-    found = deck.find(SET_PART_LIST, sid=getattr(entry, field), referred_by=(entry, field))
-    for row, number in enumerate(found.parts.tolist()):
-        deck.find(PART, pid=number, referred_by=(found, "parts", row))
-    return sorted(found.parts.tolist())
+    elif kind in (PART_SET, EXEMPT):
+        parts = defined_parts(deck, entry, field)
+        if kind == EXEMPT:
+            _check_beams(deck, entry, field, parts)
+        elif bare := sorted(set(parts) - set(every.pid.tolist())):
+            raise entry.error(field, f"part {bare[0]} of the set has neither shells nor solids")
 
 
 def _check_beams(deck: Deck, entry: Entry, field: str, exempt: list[int]) -> None:

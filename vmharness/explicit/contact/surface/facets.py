@@ -19,45 +19,33 @@ from vmharness.explicit.elements.solid import ELFORMS, solid_parts, volume
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part
 from vmharness.explicit.model.state import Array, Index
-from vmharness.mesh.faces import area_vectors, faces_of_solids, outside
+from vmharness.mesh.faces import area_vectors, faces_of_solids
+from vmharness.mesh.surface import Faces
 
 
 @dataclass(frozen=True)
-class Facets:
-    """Columns over facets (n,)."""
+class Facets(Faces):
+    """Columns over facets (n,); the normal of a solid's points outward."""
 
-    nodes: (
-        Index  # (n, 4) rows of the state's arrays; a triangle's third twice; a solid's normal points outward
-    )
     penalty: Array  # k before scale factors
     thickness: Array  # of a shell, 0 of a solid
     depth: Array  # of the element behind the facet: a shell's thickness, V / A of a solid
-    shell: NDArray[np.bool_]
     rigid: NDArray[np.bool_]  # of *MAT_RIGID
-    pid: NDArray[np.int64]  # of the part
-    eid: NDArray[np.int64]  # of the element
-
-    def only(self, chosen: NDArray[np.bool_] | Index) -> "Facets":
-        """The chosen ones."""
-        return Facets(*(getattr(self, column.name)[chosen] for column in fields(self)))
 
 
 def all_facets(deck: Deck, model: Model) -> Facets:
     """Every shell, and every face of every solid, also where two solids share it."""
     blocks = [*_shells(deck, model), *_solids(deck, model)]
     if not blocks:
-        return Facets(
-            np.zeros((0, 4), np.intp), *np.zeros((3, 0)), *np.zeros((2, 0), bool), *np.zeros((2, 0), int)
+        nodes, flags, numbers, values = (
+            np.zeros((0, 4), np.intp),
+            np.zeros(0, bool),
+            np.zeros(0, int),
+            np.zeros(0),
         )
+        return Facets(nodes, flags, numbers, numbers, values, values, values, flags)
     columns = [[getattr(block, column.name) for block in blocks] for column in fields(Facets)]
     return Facets(*(np.concatenate(column) for column in columns))
-
-
-def exterior(facets: Facets) -> NDArray[np.bool_]:
-    """Which facets (n,) can be touched: all shells, and the faces that one of the solids alone has."""
-    touchable = facets.shell.copy()
-    touchable[~facets.shell] = outside(facets.nodes[~facets.shell])
-    return touchable
 
 
 def _shells(deck: Deck, model: Model) -> Iterator[Facets]:
@@ -83,8 +71,8 @@ def _of_part(
 ) -> Facets:
     count = element.size
     return Facets(
-        nodes, penalty, thickness, depth, np.full(count, shell), np.full(count, part.rigid),
-        np.full(count, part.pid), part.eid[element],
+        nodes, np.full(count, shell), np.full(count, part.pid), part.eid[element],
+        penalty, thickness, depth, np.full(count, part.rigid),
     )  # fmt: skip
 
 

@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from vmharness.explicit.contact.surface.facets import Facets, area, exterior
+from vmharness.explicit.contact.surface.facets import Facets, area
 from vmharness.explicit.model.state import Array, Index
+from vmharness.mesh.surface import exterior
 
 
 def nodal_penalty(every: Facets, tracked: Index, nodes: int) -> Array:

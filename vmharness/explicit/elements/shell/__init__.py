@@ -13,6 +13,6 @@
 The formulations are belytschko_tsay/ and c0_triangle/.
 """
 
-from vmharness.explicit.elements.shell._parts import area, shell_faces, shell_parts, thickness, volume
+from vmharness.explicit.elements.shell._parts import area, shell_parts, thickness, volume
 
-__all__ = ["area", "shell_faces", "shell_parts", "thickness", "volume"]
+__all__ = ["area", "shell_parts", "thickness", "volume"]

@@ -9,7 +9,7 @@ from vmharness.deck.keywords.element.shell import ELEMENT_SHELL, ELEMENT_SHELL_T
 from vmharness.deck.keywords.section.shell import SECTION_SHELL
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part, parts
-from vmharness.explicit.model.state import Array, Index
+from vmharness.explicit.model.state import Array
 
 
 def shell_parts(deck: Deck, model: Model, corners: int) -> Iterator[Part]:
@@ -25,14 +25,6 @@ def shell_parts(deck: Deck, model: Model, corners: int) -> Iterator[Part]:
             table = part.tables[part.table[i]]
             raise table.error("n1", "has a node twice; a triangle repeats its third as N4", int(part.row[i]))
         yield part
-
-
-def shell_faces(deck: Deck, model: Model) -> Index:
-    """Corners (ne, 4) of all shells, as rows of the state's arrays; a triangle's third comes twice."""
-    triangles = [part.nodes[:, [0, 1, 2, 2]] for part in shell_parts(deck, model, 3)]
-    return np.concatenate([
-        *(part.nodes for part in shell_parts(deck, model, 4)), *triangles, np.zeros((0, 4), np.intp)
-    ])  # fmt: skip
 
 
 def area(corners: Array) -> Array:

@@ -5,9 +5,9 @@ import pytest
 
 from vmharness.deck import DeckError
 from vmharness.explicit.build import build
-from vmharness.explicit.elements.shell import shell_faces
 from vmharness.explicit.loop import steps
 from vmharness.explicit.probes import probe
+from vmharness.mesh.elements import shells
 
 SHEET = "*NODE\n5,0.0,0.0,3.0\n6,1.0,0.0,3.0\n7,1.0,1.0,3.0\n8,0.0,1.0,3.0\n"
 HALVES = "*ELEMENT_SHELL\n2,{pid},5,6,7,7\n3,{pid},7,8,5\n"  # the second without N4
@@ -36,7 +36,7 @@ def test_faces_repeat_the_third_corner(deck):
         + SHEET + HALVES.format(pid=1) + "*ELEMENT_SHELL_THICKNESS\n4,1,5,6,8,8\n0.1,0.2,0.6,9.0\n"
     )  # fmt: skip
     model = build(read)
-    assert model.ids[shell_faces(read, model)].tolist() == [[5, 6, 7, 7], [7, 8, 5, 5], [5, 6, 8, 8]]
+    assert model.ids[shells(read, model).nodes].tolist() == [[5, 6, 7, 7], [7, 8, 5, 5], [5, 6, 8, 8]]
     assert probe(model, shell=4, component="thickness")() == pytest.approx(0.3)  # of its three nodes
 
 
