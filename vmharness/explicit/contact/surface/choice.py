@@ -18,11 +18,18 @@ from vmharness.deck.keywords.part import PART
 from vmharness.deck.keywords.set.part import SET_PART_LIST
 from vmharness.deck.keywords.set.segment import SET_SEGMENT
 from vmharness.deck.keywords.set.shell import SET_SHELL_LIST
+from vmharness.deck.rule import only
+from vmharness.deck.support import supports
 from vmharness.explicit.contact.surface.facets import Facets, exterior
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Index
 from vmharness.mesh.faces import corner_sets
 from vmharness.mesh.sets import node_set
+
+SUPPORTS = (
+    supports(SET_SEGMENT, solver=only("MECH"), **{f"a{i}": only(0.0) for i in range(1, 5)}),
+    supports(SET_SHELL_LIST),
+)
 
 SEGMENT_SET, SHELL_SET, PART_SET, ONE_PART, NODE_SET, ALL, EXEMPT = range(7)
 
