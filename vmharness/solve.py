@@ -48,7 +48,7 @@ def solve(
         cycles=output.cycles,
         seconds=time.perf_counter() - began,
         seconds_loop=output.seconds,
-        notes=tuple(deck.notes),
+        notes=(*deck.notes, *output.notes),
         files=deck.files,
         view=_view(deck),
         resolved_deck=write_long(deck) if case.deck_parameters() else case.deck_source(),

@@ -14,6 +14,7 @@ import sys
 import numpy as np
 from pathlib import Path
 from vmharness.backends.protocol import Found, Output
+from vmharness.deck import DeckError, Finding
 from vmharness.execution.program import run
 from vmharness.history import History
 
@@ -33,7 +34,7 @@ def found():
     return Found(version="R14", where="/opt/other", missing={missing!r})
 
 def review(deck, channels):
-    return [f"[channels] {{name}}: it has no such output" for name in channels]
+    return [Finding(DeckError(f"[channels] {{name}}: it has no such output")) for name in channels]
 
 def reports(deck):
     return {{}}

@@ -12,7 +12,7 @@ ELASTIC = Keyword("MAT_ELASTIC", Card(mid=integer()), aliases=("MAT_001",), uniq
 RIGID = Keyword("MAT_RIGID", Card(mid=integer()), unique="mid")
 NODES = Keyword("NODE", Card(nid=integer(width=8)), table=True, unique="nid", kind="node")
 PART = Keyword("PART", Card(pid=integer(), mid=integer()), repeat=True, unique="pid")
-NAME = Keyword("TITLE", Card(title=text("", width=80)), effect="a name.")
+NAME = Keyword("TITLE", Card(title=text("", width=80)))
 KNOWN = {k.name: k for k in (ELASTIC, RIGID, NODES, PART, NAME)} | {"MAT_001": ELASTIC}
 
 CONTENT = "*MAT_001\n1\n2\n*MAT_RIGID\n5\n*PART\n10,5\n20,3\n*TITLE\n  ball and wall  \n*TITLE\nx\n"
@@ -52,10 +52,9 @@ def test_one_and_first(deck: Read) -> None:
         found.one(PART)
 
 
-def test_title_and_notes(deck: Read) -> None:
+def test_title(deck: Read) -> None:
     found = deck("*TITLE\n  ball and wall  \n", known=KNOWN)
     assert found.title == "ball and wall"
-    assert found.notes == ["*TITLE: a name."]
     assert deck("*NODE\n1\n", known=KNOWN).title == ""
 
 

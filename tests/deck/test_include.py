@@ -116,6 +116,19 @@ def test_links_and_absolute_names_within_the_folder_are_fine(tmp_path: Path) -> 
     assert numbers(write(tmp_path, deck=f"*KEYWORD\n*INCLUDE\n{tmp_path / 'a.k'}\n")) == [1]
 
 
+def test_a_path_is_where_includes_may_lie_too(tmp_path: Path) -> None:
+    (tmp_path / "sub").mkdir()
+    (tmp_path / "sub" / "a.k").write_text("*THING\n1\n")
+    (tmp_path / "sub" / "b.k").write_text("*THING\n9\n")
+    path = write(tmp_path, deck="*KEYWORD\n*INCLUDE_PATH\nsub\nnone\n*INCLUDE\na.k\nb.k\n", b="*THING\n2\n")
+    found = read(path, KNOWN)
+    assert [entry.n for entry in found.all("THING")] == [1, 2]  # the deck's own folder comes first
+    assert list(found.files) == ["deck.k", "sub/a.k", "b.k"]
+    path.write_text("*KEYWORD\n*INCLUDE\na.k\n*INCLUDE_PATH\nsub\n")
+    with pytest.raises(DeckError, match=r"deck\.k:3: .*no such file in the deck's folder"):
+        read(path, KNOWN)
+
+
 @pytest.mark.parametrize(
     ("content", "message"),
     [
@@ -125,7 +138,10 @@ def test_links_and_absolute_names_within_the_folder_are_fine(tmp_path: Path) -> 
         ("*INCLUDE\n\n", "deck.k:2: *INCLUDE: a file name is required"),
         ("*INCLUDE\n", "deck.k:2: *INCLUDE: a file name is required"),
         ("*INCLUDE\nnone +\n", "deck.k:3: *INCLUDE: the continued file name does not end"),
-        ("*INCLUDE_PATH\nx\n", "deck.k:2: *INCLUDE_PATH: unknown keyword"),
+        (
+            "*INCLUDE_PATH\n..\n",
+            "deck.k:3: *INCLUDE_PATH: FILENAME = ..: lies outside the deck's folder, where files are read only if allowed",
+        ),
     ],
 )
 def test_message(tmp_path: Path, content: str, message: str) -> None:

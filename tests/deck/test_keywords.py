@@ -30,23 +30,10 @@ def test_widths_are_the_formats() -> None:
         for name in VOCABULARY
         if name.startswith(("CONTROL_", "SECTION_", "HOURGLASS", "SET_", "DATABASE_"))
     ]
-    for name in eight:
+    for name in set(eight) - {"CONTROL_SOLID"}:  # its second card has ten fields of 8 columns
         for card in widths(name):
             assert all(width == 10 for width in card if width < 70), name
             assert sum(card) <= 80, name
-
-
-def test_no_data_keyword_of_the_solver_is_silent_about_having_no_effect() -> None:
-    silent = {name for name, keyword in VOCABULARY.items() if keyword.effect}
-    assert {name for name in VOCABULARY if name.startswith("DATABASE_")} <= silent
-    assert not silent & {
-        "NODE",
-        "PART",
-        "CONTROL_CONTACT",
-        "CONTROL_TIMESTEP",
-        "CONTROL_TERMINATION",
-        "HOURGLASS",
-    }
 
 
 def test_node_and_shell(deck: Read) -> None:
@@ -122,40 +109,18 @@ def test_defaults_of_control_cards(deck: Read) -> None:
     assert (hourglass.ihq, hourglass.qm, hourglass.qb, hourglass.qw) == (0, 0.1, 0.1, 0.1)
 
 
-def test_output_requests_are_read_and_said(deck: Read) -> None:
-    found = deck(
-        "*DATABASE_NODOUT\n1.0e-4\n*DATABASE_BINARY_D3PLOT\n0.001\n*DATABASE_HISTORY_NODE\n5,6\n"
-        "*DATABASE_HISTORY_NODE_ID\n         5the ball, falling\n*DATABASE_EXTENT_BINARY\n\n*CONTROL_ENERGY\n2\n"
-    )
-    assert len(found.notes) == 6
-    assert found.notes[0] == "*DATABASE_NODOUT: asks for output files; no effect on results."
-    assert found.one("DATABASE_HISTORY_NODE_ID").heading.tolist() == ["the ball, falling"]
-
-
 @pytest.mark.parametrize(
     ("content", "message"),
     [
         ("*CONTROL_TERMINATION\n\n", "3: *CONTROL_TERMINATION: ENDTIM = (blank): a value is required"),
-        ("*CONTROL_TERMINATION\n0.0\n", "3: *CONTROL_TERMINATION: ENDTIM = 0.0: must be greater than 0"),
-        ("*CONTROL_TIMESTEP\n,,3\n", "3: *CONTROL_TIMESTEP: ISDO = 3: only 0, 1 and 2 are supported"),
-        ("*CONTROL_TIMESTEP\n,,,,,,1\n", "3: *CONTROL_TIMESTEP: ERODE = 1: only 0 is supported"),
-        ("*CONTROL_CONTACT\n,,,3\n\n", "3: *CONTROL_CONTACT: SHLTHK = 3: only 0, 1 and 2 are supported"),
         ("*CONTROL_CONTACT\n0.1\n", "3: *CONTROL_CONTACT: card 2 is missing (USRSTR, USRFRC, NSBCS, INTERM"),
-        ("*CONTROL_SHELL\n,,,2\n", "3: *CONTROL_SHELL: ISTUPD = 2: only 0 and 1 are supported"),
-        ("*CONTROL_SHELL\n\n1.0\n", "4: *CONTROL_SHELL: a line too many"),
-        ("*PART\n\n1,1,1,2\n", "4: *PART: EOSID = 2: only 0 is supported"),
+        ("*CONTROL_HOURGLASS\n\n1.0\n", "4: *CONTROL_HOURGLASS: a line too many"),
         ("*PART\n\n1,1\n", "4: *PART: MID = (blank): a value is required"),
-        ("*SECTION_SHELL\n1\n0.1,,,,0.5\n", "4: *SECTION_SHELL: NLOC = 0.5: only 0.0 is supported"),
-        ("*ELEMENT_SHELL\n1,1,1,2,3,4,5\n", "3: *ELEMENT_SHELL: N5 = 5: only 0 is supported"),
-        ("*ELEMENT_MASS\n1,5,-0.5\n", "3: *ELEMENT_MASS: MASS = -0.5: must be at least 0"),
-        ("*NODE\n1,0.,0.,0.,8\n", "3: *NODE: TC = 8: only 0, 1, 2, 3, 4, 5, 6 and 7 are supported"),
-        ("*SET_NODE_GENERAL\n1\nBOX,3\n", "4: *SET_NODE_GENERAL: OPTION = BOX: only ALL, NODE and PART"),
         ("*SET_NODE_LIST\n1\n", "2: *SET_NODE_LIST: no data"),
         ("*SET_NODE_LIST\n1\n0\n", "4: *SET_NODE_LIST: no ids"),
-        ("*HOURGLASS\n1,7\n", "3: *HOURGLASS: IHQ = 7: only 0, 1, 2, 3, 4, 5 and 6 are supported"),
     ],
 )  # fmt: skip
-def test_what_is_not_implemented_is_refused(deck: Read, content: str, message: str) -> None:
+def test_what_is_ill_formed_is_refused(deck: Read, content: str, message: str) -> None:
     with pytest.raises(DeckError) as error:
         deck(content)
     assert str(error.value).startswith(f"deck.k:{message}")

@@ -1,4 +1,4 @@
-"""Every error says file, line, keyword, field, value, and what is supported."""
+"""Every error says file, line, keyword, field, value, and what would be right; all are found in one reading."""
 
 import pickle
 from collections.abc import Callable
@@ -6,22 +6,20 @@ from pathlib import Path
 
 import pytest
 
-from vmharness.deck import Card, Deck, DeckError, Keyword, integer, only, read, real, text
+from vmharness.deck import Card, Deck, DeckError, DeckErrors, Keyword, integer, read, real, skip, text
 
 Read = Callable[..., Deck]
 
 MAT = Keyword(
     "MAT_ELASTIC",
-    Card(mid=integer(above=0), ro=real(above=0.0), e=real(), pr=real(0.0, at_least=0.0), da=only(0.0)),
+    Card(mid=integer(above=0), ro=real(above=0.0), e=real(), pr=real(0.0), _da=skip()),
     aliases=("MAT_001",),
     options=("TITLE",),
     unique="mid",
 )
 MAT2 = Keyword("MAT_RIGID", Card(mid=integer(above=0), ro=real(above=0.0)), unique="mid")
-SHELL = Keyword("SHELL", Card(elform=integer(2, choices=(2, 16)), label=text("A", choices=("A", "B"))))
-TABLE = Keyword(
-    "TABLE", Card(i=integer(width=8, above=0), x=real(0.0, width=16, choices=(0.0, 1.0))), table=True
-)
+SHELL = Keyword("SHELL", Card(elform=integer(2), label=text("A")))
+TABLE = Keyword("TABLE", Card(i=integer(width=8, above=0), x=real(0.0, width=16)), table=True)
 CONTROL = Keyword("CONTROL", Card(x=real(0.0)), single=True)
 KNOWN = {k.name: k for k in (MAT, MAT2, SHELL, TABLE, CONTROL)} | {"MAT_001": MAT}
 
@@ -29,9 +27,6 @@ KNOWN = {k.name: k for k in (MAT, MAT2, SHELL, TABLE, CONTROL)} | {"MAT_001": MA
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        ("*MAT_ELASTICK\n1\n", "2: *MAT_ELASTICK: unknown keyword; did you mean *MAT_ELASTIC?"),
-        ("*MAT_ELASTIC_TITEL\n1\n", "2: *MAT_ELASTIC_TITEL: unknown keyword; did you mean *MAT_ELASTIC_TITLE?"),
-        ("*QQQQ\n", "2: *QQQQ: unknown keyword"),
         ("*\n", "2: unknown keyword"),
         ("*SHELL 5\n", "2: *SHELL: unexpected text after the keyword: 5"),
         ("*KEYWORD\n", "2: *KEYWORD: *KEYWORD may stand only once, at the beginning of a file"),
@@ -39,18 +34,14 @@ KNOWN = {k.name: k for k in (MAT, MAT2, SHELL, TABLE, CONTROL)} | {"MAT_001": MA
         ("*MAT_ELASTIC\n1.5,1.,1.\n", "3: *MAT_ELASTIC: MID = 1.5: not an integer"),
         ("*MAT_ELASTIC\n,1.,1.\n", "3: *MAT_ELASTIC: MID = (blank): a value is required"),
         ("*MAT_ELASTIC\n0,1.,1.\n", "3: *MAT_ELASTIC: MID = 0: must be greater than 0"),
-        ("*MAT_ELASTIC\n1,1.,1.,-1.\n", "3: *MAT_ELASTIC: PR = -1.: must be at least 0"),
-        ("*MAT_ELASTIC\n1,1.,1.,,0.5\n", "3: *MAT_ELASTIC: DA = 0.5: only 0.0 is supported"),
+        ("*MAT_ELASTIC\n1,1.,1.,,0.5\n", "3: *MAT_ELASTIC: UNUSED = 0.5: only 0.0 is supported"),
         ("*MAT_ELASTIC\n1,&q,1.\n", "3: *MAT_ELASTIC: RO = &q: undefined parameter"),
-        ("*SHELL\n        17\n", "3: *SHELL: ELFORM = 17: only 2 and 16 are supported"),
-        ("*SHELL\n2,C\n", "3: *SHELL: LABEL = C: only A and B are supported"),
         ("*SHELL\n2,A,5\n", "3: *SHELL: more than the 2 items of this card"),
         ("*SHELL\n         2         A      5\n", "3: *SHELL: text beyond the last field, which ends in column 20"),
         ("*SHELL\n         2\n\n         3\n", "5: *SHELL: a line too many; the keyword has one line here"),
         ("*SHELL\n", "2: *SHELL: card 1 is missing (ELFORM, LABEL)"),
         ("*SHELL\n\t2\n", "3: *SHELL: a tab in a data line hides its columns; write blanks or commas"),
         ("*TABLE\n", "2: *TABLE: no data"),
-        ("*TABLE\n       1\n       2             2.0\n", "4: *TABLE: X = 2.0: only 0.0 and 1.0 are supported"),
         ("*TABLE\n       1\n      -2\n", "4: *TABLE: I = -2: must be greater than 0"),
         ("*TABLE\n       1\n       2             1.0       9\n", "4: *TABLE: text beyond the last field"),
         ("*TABLE\n1\n2,1e999\n", "4: *TABLE: X = 1e999: too large for double precision"),
@@ -105,3 +96,27 @@ def test_errors_of_callers_name_the_field_and_its_line(deck: Read) -> None:
 def test_an_error_survives_a_pickle() -> None:
     error = DeckError("wrong", "deck.k", 3, "NODE", "x", 1.0)
     assert str(pickle.loads(pickle.dumps(error))) == str(error) == "deck.k:3: *NODE: X = 1.0: wrong"
+
+
+def test_all_that_is_ill_formed_is_found_in_one_reading(deck: Read) -> None:
+    content = (
+        "*MAT_ELASTIC\n0,1.,x\n*SHELL 5\n\n*PARAMETER\nR a\n*MAT_RIGID\n&a,&b\n*TABLE\n1,x\n2,y\n3,1.0,7,9\n"
+        "*INCLUDE\nnone.k\n*CONTROL\n\n1\n*CONTROL\n\n"
+    )
+    with pytest.raises(DeckErrors) as error:
+        deck(content, known=KNOWN)
+    assert str(error.value).splitlines() == [
+        "deck.k:4: *SHELL: unexpected text after the keyword: 5",
+        "deck.k:3: *MAT_ELASTIC: MID = 0: must be greater than 0",
+        "deck.k:3: *MAT_ELASTIC: E = x: not a number",
+        "deck.k:7: *PARAMETER: VAL1 = (blank): parameter a: a value is required",
+        "deck.k:9: *MAT_RIGID: RO = &b: undefined parameter",
+        "deck.k:11: *TABLE: X = x: not a number (2 such rows)",
+        "deck.k:13: *TABLE: more than the 2 items of this card",
+        "deck.k:15: *INCLUDE: FILENAME = none.k: no such file in the deck's folder",
+        "deck.k:18: *CONTROL: a line too many; the keyword has one line here",
+        "deck.k:19: *CONTROL: may stand only once; there is one already at deck.k:16",
+    ]
+    assert str(pickle.loads(pickle.dumps(error.value))) == str(error.value)
+    assert (error.value.line, error.value.keyword) == (4, "SHELL")
+    assert len(error.value.errors) == 10

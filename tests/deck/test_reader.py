@@ -16,7 +16,6 @@ from vmharness.deck import (
     Keyword,
     Rows,
     integer,
-    only,
     read,
     real,
     skip,
@@ -151,7 +150,7 @@ def test_rows_of_several_cards(deck: Read) -> None:
 
 
 def test_zero_means_the_default_where_the_field_says_so(deck: Read) -> None:
-    keyword = Keyword("Z", Card(sf=real(0.9, zero_is_default=True), n=only(2, zero_is_default=True)))
+    keyword = Keyword("Z", Card(sf=real(0.9, zero_is_default=True), n=integer(2, zero_is_default=True)))
     rows = Keyword("R", Card(sf=real(0.9, zero_is_default=True)), table=True)
     for content in ("*Z\n0.0,0\n", "*Z\n\n", "*Z\n,2\n", "*Z\n0,0.0\n"):
         assert deck(content, known={"Z": keyword}).one("Z").values == {"sf": 0.9, "n": 2}

@@ -6,8 +6,10 @@ from pathlib import Path
 import pytest
 
 from vmharness.deck import Deck, read, vocabulary
+from vmharness.deck.finding import refuse_unsupported
 from vmharness.explicit.build import build
 from vmharness.explicit.model.model import Model
+from vmharness.explicit.supported import review_cards
 
 # One fixed square shell of side 2 at z = 0 with nodes 1 to 4, which sets the time step; nothing else.
 # K A / d = E/(3 (1 - 2 nu)) 4/(2 sqrt 2) with E = 3, nu = 0: sqrt(2).
@@ -38,12 +40,14 @@ wall
 
 @pytest.fixture
 def deck(tmp_path: Path) -> Callable[[str], Deck]:
-    """Read a deck from text."""
+    """Read a deck from text; DeckError for what is ill-formed, and for cards that the solver does not support."""
 
     def from_text(text: str) -> Deck:
         path = tmp_path / "deck.k"
         path.write_text(text)
-        return read(path, vocabulary())
+        found = read(path, vocabulary())
+        refuse_unsupported(review_cards(found))
+        return found
 
     return from_text
 

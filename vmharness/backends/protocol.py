@@ -2,7 +2,7 @@
 
     NAME                        as reports write it, before the version
     found()                     version and place, or why it cannot run here; quick, and starts no computation
-    review(deck, channels)      what it cannot represent, in sentences: before a run, and without one
+    review(deck, channels)      what it cannot represent, and what has no effect: before a run, and without one
     reports(deck)               the energies that it can record of a deck, as channels by name
     solve(job)                  the run: it writes in job.folder alone, and what goes wrong is its `failure`
 
@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Protocol
 
 from vmharness.case.format import Channel
-from vmharness.deck import Deck
+from vmharness.deck import Deck, Finding
 from vmharness.history import History
 
 
@@ -52,6 +52,7 @@ class Output:
     )  # for the reader: time step, precision, interval, ...
     cycles: int = 0
     seconds: float = 0.0  # that the time loop took, where that is known
+    notes: tuple[str, ...] = ()  # what of the deck cannot change results
 
 
 class Backend(Protocol):
@@ -62,8 +63,8 @@ class Backend(Protocol):
     def found(self) -> Found:
         """Version and place on this machine, or why it cannot run here."""
 
-    def review(self, deck: Deck, channels: Mapping[str, Channel]) -> list[str]:
-        """What it cannot represent of the deck, and which channels it cannot give; nothing if it can run it."""
+    def review(self, deck: Deck, channels: Mapping[str, Channel]) -> list[Finding]:
+        """What it cannot represent of the deck, and which channels it cannot give; and what has no effect in it."""
 
     def reports(self, deck: Deck) -> dict[str, Channel]:
         """The energies of the whole model that it can record, by name; raises DeckError as `solve` does."""

@@ -3,10 +3,11 @@
 from vmharness.deck.card import Card, Rows
 from vmharness.deck.deck import Deck
 from vmharness.deck.entry import Entry
-from vmharness.deck.error import DeckError
-from vmharness.deck.field import integer, only, real, skip, text
+from vmharness.deck.error import DeckError, DeckErrors
+from vmharness.deck.field import integer, real, skip, text
+from vmharness.deck.finding import Finding
 from vmharness.deck.keyword import Keyword
-from vmharness.deck.reader import read
+from vmharness.deck.reader import read, read_all
 from vmharness.deck.vocabulary import vocabulary
 from vmharness.deck.writer import write_long
 
@@ -14,12 +15,14 @@ __all__ = [
     "Card",
     "Deck",
     "DeckError",
+    "DeckErrors",
     "Entry",
+    "Finding",
     "Keyword",
     "Rows",
     "integer",
-    "only",
     "read",
+    "read_all",
     "real",
     "skip",
     "text",

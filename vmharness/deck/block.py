@@ -8,6 +8,7 @@ from vmharness.deck.card import Card
 from vmharness.deck.error import DeckError
 from vmharness.deck.field import Value, shown
 
+BEGINNINGS = ("KEYWORD", "KEYWORD_ID")  # the second has a line: names of the project and the run
 KEYWORD_OPTIONS = {"LONG": ("Y", "K", "S", "N"), "I10": ("N",), "MEMORY": (), "NCPU": ()}
 
 
@@ -23,13 +24,19 @@ class Block:
     lines: list[str] = default(default_factory=list)
     numbers: list[int] = default(default_factory=list)  # line numbers of `lines`
 
-    def read(self, card: Card, at: int, parameters: Mapping[str, Value]) -> list[Value]:
-        """The values of data line `at` read as `card`, in the order of its fields; raises DeckError."""
+    def read(
+        self, card: Card, at: int, parameters: Mapping[str, Value], wrong: list[DeckError]
+    ) -> list[Value]:
+        """The values of data line `at` read as `card`, in the order of its fields.
+
+        What is ill-formed is added to `wrong`, and has a stand-in.
+        """
         number = self.numbers[at]
         try:
             items = card.items(self.lines[at], self.long)
         except ValueError as error:
-            raise self.error(str(error), number) from None
+            wrong.append(self.error(str(error), number))
+            return [field.stand_in for field in card.fields.values()]
         values = []
         for (name, field), item in zip(card.fields.items(), items, strict=True):
             try:
@@ -37,7 +44,8 @@ class Block:
             except ValueError as error:
                 column = "unused" if name.startswith("_") else name
                 value = shown(item, parameters)
-                raise DeckError(str(error), self.file, number, self.name, column, value) from None
+                wrong.append(DeckError(str(error), self.file, number, self.name, column, value))
+                values.append(field.stand_in)
         return values
 
     def error(self, what: str, line: int = 0) -> DeckError:
@@ -45,10 +53,12 @@ class Block:
         return DeckError(what, self.file, line or self.line, self.name)
 
 
-def blocks(text: str, file: str, long: bool = False) -> Iterator[Block]:
-    """The blocks of one file, up to *END; `long` is the format where *KEYWORD does not say."""
+def blocks(text: str, file: str, long: bool, wrong: list[DeckError]) -> Iterator[Block]:
+    """The blocks of one file, up to *END; `long` is the format where *KEYWORD does not say.
+
+    What is ill-formed is added to `wrong`.
+    """
     block: Block | None = None
-    tabs = "\t" in text
     for number, line in enumerate(text.removesuffix("\n").split("\n"), start=1):
         start = line[:1]
         if start == "$":
@@ -56,10 +66,10 @@ def blocks(text: str, file: str, long: bool = False) -> Iterator[Block]:
         if start == "*":
             if block is not None:
                 yield block
-            block = _header(line.rstrip("\r"), file, number, long)
+            block = _header(line.rstrip("\r"), file, number, long, wrong)
             if block.name == "END":
                 return
-            if block.name == "KEYWORD":
+            if block.name in BEGINNINGS:
                 long = block.long
             continue
         line = line.rstrip("\r")
@@ -67,40 +77,41 @@ def blocks(text: str, file: str, long: bool = False) -> Iterator[Block]:
             if line.strip():
                 raise DeckError("data before the first keyword", file, number)
             continue
-        if tabs and "\t" in line:
-            raise block.error("a tab in a data line hides its columns; write blanks or commas", number)
         block.lines.append(line)
         block.numbers.append(number)
     if block is not None:
         yield block
 
 
-def _header(line: str, file: str, number: int, long: bool) -> Block:
-    """The block of a keyword line; "+" after the name makes it long, "-" standard."""
-    name, _, rest = line[1:].strip().upper().partition(" ")
-    if name == "KEYWORD":
-        return Block(name, rest, file, number, _long(rest, long, file, number))
+def _header(line: str, file: str, number: int, long: bool, wrong: list[DeckError]) -> Block:
+    """The block of a keyword line; "+" after the name makes it long, "-" standard. Words in brackets are a comment."""
+    name, _, rest = line[1:].partition("(")[0].strip().upper().partition(" ")
+    if name in BEGINNINGS:
+        return Block(name, rest, file, number, _long(rest, long, Block(name, "", file, number, long), wrong))
     if name[-1:] in ("+", "-"):
         name, rest = name[:-1], f"{name[-1]} {rest}"
     rest = rest.strip()
     if rest in ("+", "-"):
         long, rest = rest == "+", ""
     if rest:
-        raise DeckError(f"unexpected text after the keyword: {rest}", file, number, name)
+        wrong.append(DeckError(f"unexpected text after the keyword: {rest}", file, number, name))
+    if not name:
+        wrong.append(DeckError("unknown keyword", file, number))
     return Block(name, "", file, number, long)
 
 
-def _long(rest: str, long: bool, file: str, number: int) -> bool:
+def _long(rest: str, long: bool, block: Block, wrong: list[DeckError]) -> bool:
     """The format that *KEYWORD gives: LONG=Y and LONG=K are long, LONG=S and LONG=N standard."""
     for option in rest.split():
         name, _, value = option.partition("=")
         if name not in KEYWORD_OPTIONS:
             supported = ", ".join(KEYWORD_OPTIONS)
-            raise DeckError(f"unknown option {option}; supported: {supported}", file, number, "KEYWORD")
+            wrong.append(block.error(f"unknown option {option}; supported: {supported}"))
+            continue
         supported_values = KEYWORD_OPTIONS[name]
         if supported_values and value not in supported_values:
             what = f"only {', '.join(supported_values)} supported"
-            raise DeckError(what, file, number, "KEYWORD", name, value)
+            wrong.append(DeckError(what, block.file, block.line, block.name, name, value))
         if name == "LONG":
             long = value in ("Y", "K")
     return long

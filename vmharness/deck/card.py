@@ -1,9 +1,13 @@
 """A card: one line of input, as named fields in the order of their columns."""
 
+import re
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from vmharness.deck.field import Field, Value
+from vmharness.deck.field import LONG_WIDTH, Field, Value
+
+COLUMNS = 80  # of a line in standard format; what stands beyond is no data
+NOTHING = re.compile(r"[ 0.]*")  # blanks and zeros
 
 
 class Card:
@@ -34,13 +38,14 @@ class Card:
     def items(self, line: str, long: bool) -> list[str]:
         """Characters of each field of `line`; raises ValueError where text is left over.
 
-        A comma anywhere makes the line comma-separated, but a comma within a heading is a part of it.
+        A comma anywhere makes the line comma-separated, but a comma within a heading is a part of it. What stands
+        beyond column 80 (160 in long format) is no data, as in LS-DYNA, and zeros beyond the last field are none.
         """
         widths = [field.columns(long) for field in self.fields.values()]
         heading = list(self.fields.values())[-1].is_heading
         if "," in (line[: sum(widths[:-1])] if heading else line):
             return self._separated(line, heading)
-        if line[sum(widths) :].strip():
+        if not NOTHING.fullmatch(line, sum(widths), line_end(long)):
             raise ValueError(f"text beyond the last field, which ends in column {sum(widths)}")
         ends = [sum(widths[: i + 1]) for i in range(len(widths))]
         return [line[end - width : end] for width, end in zip(widths, ends, strict=True)]
@@ -48,10 +53,15 @@ class Card:
     def _separated(self, line: str, heading: bool) -> list[str]:
         count = len(self.fields)
         items = line.split(",", count - 1 if heading else -1)
-        if any(item.strip() for item in items[count:]):
+        if not all(NOTHING.fullmatch(item) for item in items[count:]):
             raise ValueError(f"more than the {count} items of this card")
         items = items[:count]
         return items + [""] * (count - len(items))
+
+
+def line_end(long: bool) -> int:
+    """The columns of a line that are data."""
+    return 8 * LONG_WIDTH if long else COLUMNS
 
 
 class Rows(Card):

@@ -18,8 +18,9 @@ class Deck:
     path: Path
     entries: Sequence[Entry]  # in file order, includes in their place
     parameters: Mapping[str, Value]  # by name in lower case
-    notes: Sequence[str]  # what was read and cannot change results, one sentence each
+    notes: Sequence[str]  # of options of *KEYWORD that cannot change results, one sentence each
     files: Mapping[str, str]  # name relative to the deck's folder -> SHA-256
+    sound: bool = True  # whether nothing was ill-formed; what was has stand-ins
     _by_name: dict[str, list[Entry]] = field(default_factory=dict, repr=False)
 
     def __post_init__(self) -> None:
@@ -71,9 +72,12 @@ class Deck:
         defined = ", ".join(str(entry.values[name]) for entry in candidates if name in entry.values) or "none"
         what = f"no {_describe(keywords)} with {name.upper()} = {wanted}; defined: {defined}"
         if referred_by is None:
-            raise DeckError(what, self.path.name)
-        entry, field, *row = referred_by
-        raise entry.error(field, what, *row)
+            error = DeckError(what, self.path.name)
+        else:
+            entry, field, *row = referred_by
+            error = entry.error(field, what, *row)
+        error.sought = frozenset(_name(keyword).partition("_")[0] for keyword in keywords)
+        raise error
 
 
 def _name(keyword: Keyword | str) -> str:

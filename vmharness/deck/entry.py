@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from vmharness.deck.block import Block
 from vmharness.deck.error import DeckError
 from vmharness.deck.keyword import Keyword
 
@@ -19,6 +20,7 @@ class Entry:
     suffix: str = ""  # the option: "TITLE", "ID", ...
     values: dict[str, Any] = field(default_factory=dict)
     lines: dict[str, int | Sequence[int]] = field(default_factory=dict)  # of the fields that were read
+    raw: Block | None = None  # the block as it stands in the deck, where it was not read
 
     @classmethod
     def of_defaults(cls, keyword: Keyword) -> "Entry":

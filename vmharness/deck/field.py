@@ -1,4 +1,7 @@
-"""A field of a card: kind, width, default, and which values are supported."""
+"""A field of a card: kind, width, default, and what would be ill-formed.
+
+What a solver can do with a well-formed value is not said here, but by the solver: see support.py.
+"""
 
 import re
 from collections.abc import Mapping
@@ -23,10 +26,10 @@ class Field:
     kind: Literal["integer", "real", "text"]
     width: int
     default: Value | None
-    choices: tuple[Value, ...] = ()
     zero_is_default: bool = False
-    above: float | None = None
-    at_least: float | None = None
+    above: float | None = None  # of an id, which must be positive
+    unused: bool = False  # a column without meaning
+    capitals: bool = False  # a word in any case, kept in capitals
 
     @property
     def is_heading(self) -> bool:
@@ -55,27 +58,25 @@ class Field:
 
     def fault(self, value: Value) -> str:
         """What is wrong with `value`, or nothing."""
-        if self.choices and value not in self.choices:
-            *others, last = map(str, self.choices)
-            return (
-                f"only {', '.join(others)} and {last} are supported"
-                if others
-                else f"only {last} is supported"
-            )
         if isinstance(value, str):
             return ""
+        if self.unused and value != 0:
+            return f"only {self.default} is supported"
         if self.above is not None and not value > self.above:
             return f"must be greater than {self.above:g}"
-        if self.at_least is not None and not value >= self.at_least:
-            return f"must be at least {self.at_least:g}"
         return ""
+
+    @property
+    def stand_in(self) -> Value:
+        """A value to go on with where the one of the deck is ill-formed."""
+        return self.default if self.default is not None else "" if self.kind == "text" else 0
 
     def _convert(self, item: str) -> Value:
         if self.kind == "integer":
             return to_integer(item)
         if self.kind == "real":
             return to_real(item)
-        return item.upper() if self.choices else item
+        return item.upper() if self.capitals else item
 
 
 def substitute(item: str, parameters: Mapping[str, Value]) -> str:
@@ -110,56 +111,29 @@ def integer(
     default: int | None = None,
     *,
     width: int = 10,
-    choices: tuple[int, ...] = (),
     zero_is_default: bool = False,
     above: float | None = None,
-    at_least: float | None = None,
 ) -> Field:
     """An integer; without a default it is required."""
-    return Field(
-        kind="integer",
-        width=width,
-        default=default,
-        choices=choices,
-        zero_is_default=zero_is_default,
-        above=above,
-        at_least=at_least,
-    )
+    return Field(kind="integer", width=width, default=default, zero_is_default=zero_is_default, above=above)
 
 
 def real(
     default: float | None = None,
     *,
     width: int = 10,
-    choices: tuple[float, ...] = (),
     zero_is_default: bool = False,
     above: float | None = None,
-    at_least: float | None = None,
 ) -> Field:
     """A real number; without a default it is required."""
-    return Field(
-        kind="real",
-        width=width,
-        default=default,
-        choices=choices,
-        zero_is_default=zero_is_default,
-        above=above,
-        at_least=at_least,
-    )
+    return Field(kind="real", width=width, default=default, zero_is_default=zero_is_default, above=above)
 
 
-def text(default: str | None = None, *, width: int = 10, choices: tuple[str, ...] = ()) -> Field:
-    """A text without the blanks around it; `choices` are in capitals and match in any case."""
-    return Field(kind="text", width=width, default=default, choices=choices)
-
-
-def only(value: Value, *, width: int = 10, zero_is_default: bool = False) -> Field:
-    """A field for which one behaviour is implemented: blank gives `value`, any other value is refused."""
-    kind: Literal["integer", "real", "text"]
-    kind = "text" if isinstance(value, str) else "integer" if isinstance(value, int) else "real"
-    return Field(kind=kind, width=width, default=value, choices=(value,), zero_is_default=zero_is_default)
+def text(default: str | None = None, *, width: int = 10, capitals: bool = False) -> Field:
+    """A text without the blanks around it; a word in `capitals` may be written in any case."""
+    return Field(kind="text", width=width, default=default, capitals=capitals)
 
 
 def skip(width: int = 10) -> Field:
     """A column without meaning: blank or zero; anything else is refused, for it may have been meant."""
-    return only(0.0, width=width)
+    return Field(kind="real", width=width, default=0.0, unused=True)

@@ -3,13 +3,13 @@
 from collections.abc import Mapping
 
 from vmharness.deck.card import Card, Rows
-from vmharness.deck.field import integer, text
+from vmharness.deck.field import Value, integer, text
 
 OPTIONS = {
     "TITLE": Card(title=text("", width=80)),
     "ID": Card(id=integer(0), heading=text("", width=70)),
 }
-RESERVED = {"keyword", "spelled", "suffix", "file", "line", "values", "lines", "line_of", "error"}
+RESERVED = {"keyword", "spelled", "suffix", "file", "line", "values", "lines", "raw", "line_of", "error"}
 
 
 class Keyword:
@@ -26,7 +26,8 @@ class Keyword:
       (several keywords may define one kind: all materials share "mid").
     - `single`: the keyword may stand once in a deck.
     - `corners`: of an element keyword, the fields that name the nodes it joins.
-    - `effect`: for a keyword that cannot change results: a short sentence that says so, for the deck's notes.
+
+    The block of a keyword without cards is kept as it stands in the deck, unread.
     """
 
     def __init__(
@@ -42,7 +43,6 @@ class Keyword:
         kind: str = "",
         single: bool = False,
         corners: tuple[str, ...] = (),
-        effect: str = "",
     ) -> None:
         self.name = name
         self.rows: tuple[Card, ...] = (
@@ -57,7 +57,6 @@ class Keyword:
         self.kind = kind or unique
         self.single = single
         self.corners = corners
-        self.effect = effect
         fields = [name for card in (*self.cards, *self.rows) for name in card.defaults()]
         if hidden := RESERVED.intersection(fields):
             raise ValueError(f"*{name}: an entry cannot have a field {', '.join(sorted(hidden))}")
@@ -78,26 +77,34 @@ class Keyword:
         """The cards of one group, the option's card first."""
         return (self.options[option], *self.cards) if option and self.options[option].fields else self.cards
 
+    def all_cards(self) -> tuple[Card, ...]:
+        """Every card that may stand in the block."""
+        return (*self.options.values(), *self.cards, *self.rows)
+
+    def default(self, field: str) -> Value | None:
+        """The value of a field that is blank."""
+        return next(card.defaults()[field] for card in self.all_cards() if field in card.defaults())
+
     def names(self) -> list[str]:
         """Every name under which the keyword may stand in a deck."""
         plain = [self.name, *self.aliases]
         return plain + [f"{name}_{option}" for name in plain for option in self.options]
 
-    def summary(self) -> list[str]:
-        """Each card in one line: fields in capitals, with defaults and supported values.
+    def summary(self, limits: Mapping[str, str] | None = None) -> list[str]:
+        """Each card in one line: fields in capitals, with defaults, and what of them is supported by `limits`.
 
-        >>> from vmharness.deck.field import integer, only
-        >>> Keyword("SET_X", Card(sid=integer(), its=only(1), n=integer(0, choices=(0, 1)))).summary()
-        ['SID ITS=1(only 1) N=0(only 0, 1)']
+        >>> Keyword("SET_X", Card(sid=integer(), its=integer(1), n=integer(0))).summary({"n": "only 0, 1"})
+        ['SID ITS=1 N=0(only 0, 1)']
         """
+        limits = limits or {}
         return [
             " ".join(
                 name.upper()
                 + ("" if field.default is None else f"={field.default}")
-                + (f"(only {', '.join(map(str, field.choices))})" if field.choices else "")
+                + (f"({limits[name]})" if limits.get(name) else "")
                 for name, field in card.fields.items()
                 if not name.startswith("_")
             )
-            for card in (*self.options.values(), *self.cards, *self.rows)
+            for card in self.all_cards()
             if card.fields
         ]

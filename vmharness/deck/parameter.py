@@ -14,7 +14,8 @@ from vmharness.deck.field import Value, text
 from vmharness.deck.keyword import Keyword
 from vmharness.deck.number import to_integer, to_real
 
-PAIRS = {f"{word}{i}": text("") for i in range(1, 5) for word in ("prmr", "val")}
+PAIR_NAMES = [(f"prmr{i}", f"val{i}") for i in range(1, 5)]
+PAIRS = {name: text("") for pair in PAIR_NAMES for name in pair}
 
 PARAMETER = Keyword("PARAMETER", Card(PAIRS), repeat=True)
 PARAMETER_EXPRESSION = Keyword(
@@ -23,14 +24,35 @@ PARAMETER_EXPRESSION = Keyword(
 KEYWORDS = {keyword.name: keyword for keyword in (PARAMETER, PARAMETER_EXPRESSION)}
 
 
-def define(block: Block, values: dict[str, Value], replaced: Mapping[str, float]) -> None:
-    """Add the parameters of a block to `values`; those of *PARAMETER that are `replaced` get new values."""
-    for entry in entries(block, KEYWORDS[block.name], "", values):
-        if block.name == "PARAMETER":
-            for i in range(1, 5):
-                _define_value(entry, f"prmr{i}", f"val{i}", values, replaced)
-        else:
-            _define_expression(entry, values, replaced)
+def define(
+    block: Block, values: dict[str, Value], replaced: Mapping[str, float], wrong: list[DeckError]
+) -> None:
+    """Add the parameters of a block to `values`; those of *PARAMETER that are `replaced` get new values.
+
+    What is ill-formed is added to `wrong`; a parameter without a value is 1, so that references to it are no errors.
+    """
+    for entry in entries(block, KEYWORDS[block.name], "", values, wrong):
+        for fields in PAIR_NAMES if block.name == "PARAMETER" else [("prmr", "expression")]:
+            try:
+                _define(entry, *fields, values, replaced)
+            except DeckError as error:
+                wrong.append(error)
+
+
+def _define(
+    entry: Entry, name_field: str, field: str, values: dict[str, Value], replaced: Mapping[str, float]
+) -> None:
+    if not entry.values[name_field] and field != "expression":
+        if entry.values[field]:
+            raise entry.error(field, "a value without a name")
+        return
+    kind, name = _name(entry, name_field, values)
+    define = _expression if field == "expression" else _value
+    try:
+        values[name] = define(entry, field, kind, name, values, replaced)
+    except DeckError:
+        values[name] = 1
+        raise
 
 
 def check_replaced(replaced: Mapping[str, float], values: Mapping[str, Value], file: str) -> None:
@@ -42,36 +64,32 @@ def check_replaced(replaced: Mapping[str, float], values: Mapping[str, Value], f
             raise DeckError(f"no parameter {name} to set{hint}", file)
 
 
-def _define_value(
-    entry: Entry, name_field: str, field: str, values: dict[str, Value], replaced: Mapping[str, float]
-) -> None:
-    written = entry.values[field]
-    if not entry.values[name_field]:
-        if written:
-            raise entry.error(field, "a value without a name")
-        return
-    kind, name = _name(entry, name_field, values)
+def _value(
+    entry: Entry, field: str, kind: str, name: str, values: Mapping[str, Value], replaced: Mapping[str, float]
+) -> Value:
+    """The value that a card of *PARAMETER gives, or that replaces it."""
     try:
         if kind == "c" and name in replaced:
             raise ValueError("is a text and cannot be set to a number")
-        values[name] = _convert(kind, repr(float(replaced[name])) if name in replaced else written)
+        return _convert(kind, repr(float(replaced[name])) if name in replaced else entry.values[field])
     except ValueError as error:
         if name in replaced:
             entry.values[field] = replaced[name]
         raise entry.error(field, f"parameter {name}: {error}") from None
 
 
-def _define_expression(entry: Entry, values: dict[str, Value], replaced: Mapping[str, float]) -> None:
-    kind, name = _name(entry, "prmr", values)
+def _expression(
+    entry: Entry, field: str, kind: str, name: str, values: Mapping[str, Value], replaced: Mapping[str, float]
+) -> Value:
+    """The value of a *PARAMETER_EXPRESSION."""
     if name in replaced:
-        what = f"{name} follows from other parameters; set those instead"
-        raise entry.error("expression", what)
+        raise entry.error(field, f"{name} follows from other parameters; set those instead")
     try:
         if kind == "c":
             raise ValueError("an expression has no text value; use *PARAMETER")
-        values[name] = _convert(kind, repr(evaluate(entry.expression, values)))
+        return _convert(kind, repr(evaluate(entry.values[field], values)))
     except ValueError as error:
-        raise entry.error("expression", f"parameter {name}: {error}") from None
+        raise entry.error(field, f"parameter {name}: {error}") from None
 
 
 def _name(entry: Entry, field: str, values: Mapping[str, Value]) -> tuple[str, str]:

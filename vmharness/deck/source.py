@@ -5,9 +5,10 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-from vmharness.deck.block import Block, blocks
+from vmharness.deck.block import BEGINNINGS, Block, blocks
 from vmharness.deck.error import DeckError
 
+INCLUDES = ("INCLUDE", "INCLUDE_PATH", "INCLUDE_PATH_RELATIVE")
 DEEPEST = 20  # includes within includes
 BEGIN = "a deck begins with *KEYWORD; only comments may come before"
 MOST_BYTES = 2**29  # of all files together
@@ -16,19 +17,24 @@ MOST_BYTES = 2**29  # of all files together
 class Source:
     """Reads a deck's files; `files` maps the name of each, relative to the deck's folder, to its SHA-256.
 
-    `text` stands in place of the file at `path`, if given.
+    `text` stands in place of the file at `path`, if given. What is ill-formed is added to `wrong`.
     """
 
-    def __init__(self, path: Path, include_outside: bool, text: str = "") -> None:
+    def __init__(self, path: Path, include_outside: bool, wrong: list[DeckError], text: str = "") -> None:
+        self.wrong = wrong
         self.text = text
         self.path = path
         self.folder = path.parent.resolve()
+        self.searched = [self.folder]  # for includes: the deck's folder, and those of *INCLUDE_PATH
         self.include_outside = include_outside
         self.files: dict[str, str] = {}
         self.bytes = 0
 
     def blocks(self) -> Iterator[Block]:
-        """The blocks of the deck in the order in which they take effect, those of includes in their place."""
+        """The blocks of the deck in the order in which they take effect, those of includes in their place.
+
+        Raises DeckError where there is no deck; what is wrong with an include is added to `wrong`.
+        """
         name = self.path.name
         if not self.text and not self.path.is_file():
             raise DeckError("no such file", name)
@@ -44,34 +50,54 @@ class Source:
         if len(chain) > DEEPEST:
             raise _at(place, f"includes are nested more than {DEEPEST} deep")
         text = self._text(path, name, place)
-        found = list(blocks(text, name, long))
-        if not chain and (not found or found[0].name != "KEYWORD"):
+        found = list(blocks(text, name, long, self.wrong))
+        if not chain and (not found or found[0].name not in BEGINNINGS):
             raise DeckError(BEGIN, name, found[0].line if found else 1, found[0].name if found else "")
         for i, block in enumerate(found):
-            if block.name == "KEYWORD":
-                if i:
-                    raise block.error("*KEYWORD may stand only once, at the beginning of a file")
-                if block.lines and any(line.strip() for line in block.lines):
-                    raise block.error("*KEYWORD has no data lines", block.numbers[0])
+            if block.name in BEGINNINGS:
+                self._check_beginning(block, first=i == 0)
                 long = block.long
-            if block.name == "INCLUDE":
-                for wanted, line in names(block):
-                    asking = DeckError("", block.file, line, block.name, "filename", wanted)
-                    yield from self._file(self._target(wanted, asking), (*chain, name), long, asking)
+            if block.name in INCLUDES:
+                yield from self._include(block, (*chain, name), long)
             else:
                 yield block
 
+    def _check_beginning(self, block: Block, first: bool) -> None:
+        if not first:
+            self.wrong.append(block.error(f"*{block.name} may stand only once, at the beginning of a file"))
+        elif block.name == "KEYWORD" and any(line.strip() for line in block.lines):
+            self.wrong.append(block.error("*KEYWORD has no data lines", block.numbers[0]))
+
+    def _include(self, block: Block, chain: tuple[str, ...], long: bool) -> Iterator[Block]:
+        """The blocks of the files that an *INCLUDE names; an *INCLUDE_PATH adds folders where they may lie."""
+        for wanted, line in names(block, self.wrong):
+            asking = DeckError("", block.file, line, block.name, "filename", wanted)
+            try:
+                if block.name == "INCLUDE":
+                    yield from self._file(self._target(wanted, asking), chain, long, asking)
+                else:
+                    self.searched.append(self._allowed(self.folder / wanted, asking))
+            except DeckError as error:
+                self.wrong.append(error)
+
     def _target(self, wanted: str, place: DeckError) -> Path:
-        """The file that an include names, relative to the deck's folder; links are followed first."""
-        try:
-            target = (self.folder / wanted).resolve()
-            if not (self.include_outside or target.is_relative_to(self.folder)):
-                raise _at(place, "lies outside the deck's folder, where files are read only if allowed")
+        """The file that an include names, in the first of the searched folders that has it."""
+        for folder in self.searched:
+            target = self._allowed(folder / wanted, place)
             if target.is_file():
                 return target
+        raise _at(place, "no such file in the deck's folder")
+
+    def _allowed(self, path: Path, place: DeckError) -> Path:
+        """The path with its links followed; raises DeckError unless it lies where files may be read."""
+        try:
+            target = path.resolve()
+            target.is_file()
         except (OSError, ValueError, RuntimeError):
             raise _at(place, "not a file name") from None
-        raise _at(place, "no such file in the deck's folder")
+        if not (self.include_outside or target.is_relative_to(self.folder)):
+            raise _at(place, "lies outside the deck's folder, where files are read only if allowed")
+        return target
 
     def _text(self, path: Path, name: str, place: DeckError) -> str:
         if self.text and path == self.folder / self.path.name:
@@ -97,7 +123,7 @@ class Source:
             return str(path)
 
 
-def names(block: Block) -> Iterator[tuple[str, int]]:
+def names(block: Block, wrong: list[DeckError]) -> Iterator[tuple[str, int]]:
     """The file names of an *INCLUDE, each with its line; " +" at the end of a line continues the name."""
     wanted = ""
     for line, number in zip(block.lines, block.numbers, strict=True):
@@ -108,9 +134,9 @@ def names(block: Block) -> Iterator[tuple[str, int]]:
             yield wanted + part, number
             wanted = ""
     if wanted:
-        raise block.error("the continued file name does not end", block.numbers[-1])
+        wrong.append(block.error("the continued file name does not end", block.numbers[-1]))
     if not any(line.strip() for line in block.lines):
-        raise block.error("a file name is required")
+        wrong.append(block.error("a file name is required"))
 
 
 def _at(place: DeckError, what: str) -> DeckError:

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.deck.block import Block
-from vmharness.deck.card import Card, Rows
+from vmharness.deck.card import Card, Rows, line_end
 from vmharness.deck.entry import Entry
+from vmharness.deck.error import DeckError
 from vmharness.deck.field import Field, Value
 from vmharness.deck.keyword import Keyword
 
@@ -17,10 +18,13 @@ PLAIN = re.compile(r"[0-9eE+\-. ]*")  # no comma, no &, no D exponent, no word
 DTYPES = {"integer": np.int64, "real": np.float64, "text": np.str_}
 
 
-def read_rows(entry: Entry, block: Block, lines: range, parameters: Mapping[str, Value]) -> None:
+def read_rows(
+    entry: Entry, block: Block, lines: range, parameters: Mapping[str, Value], wrong: list[DeckError]
+) -> None:
     """Read `lines` of `block` as rows of the keyword's row cards into arrays of `entry`.
 
-    A row may take several lines, one a card. A blank line among them is refused: it would be a row of zeros.
+    A row may take several lines, one a card. A blank line among them is refused: it would be a row of zeros. What is
+    ill-formed is added to `wrong`; DeckError is raised where the rows cannot be told apart.
     """
     if not lines:
         raise block.error("no data")
@@ -34,7 +38,7 @@ def read_rows(entry: Entry, block: Block, lines: range, parameters: Mapping[str,
         numbers = block.numbers[chosen.start : chosen.stop : chosen.step]
         columns = fast_columns(card, block.lines[chosen.start : chosen.stop : chosen.step], block.long)
         if columns is None:
-            columns = careful_columns(card, block, chosen, parameters)
+            columns = careful_columns(card, block, chosen, parameters, wrong)
         if isinstance(card, Rows) and card.flat:
             ids = np.stack(columns, axis=1)
             kept = ids != 0
@@ -65,15 +69,31 @@ def row_cards(keyword: Keyword, first: str, long: bool) -> tuple[Card, ...]:
 
 
 def careful_columns(
-    card: Card, block: Block, lines: range, parameters: Mapping[str, Value]
+    card: Card, block: Block, lines: range, parameters: Mapping[str, Value], wrong: list[DeckError]
 ) -> list[NDArray[Any]]:
-    """One array a field, read field by field: any format, any number, exact errors."""
+    """One array a field, read field by field: any format, any number, exact errors.
+
+    Of errors that are alike but for the row, the first is added to `wrong`, with their number.
+    """
     for at in lines:
         if not block.lines[at].strip():
             raise block.error("a blank line among the rows of a table", block.numbers[at])
-    rows = [block.read(card, at, parameters) for at in lines]
+    found: list[DeckError] = []
+    rows = [block.read(card, at, parameters, found) for at in lines]
+    wrong += first_of_alike(found)
     columns = zip(card.fields.values(), zip(*rows, strict=True), strict=True)
     return [np.array(column, dtype=DTYPES[field.kind]) for field, column in columns]
+
+
+def first_of_alike(errors: Sequence[DeckError]) -> list[DeckError]:
+    """The first error of each field and kind, saying how many rows more have it."""
+    kinds: dict[tuple[str, str], list[DeckError]] = {}
+    for error in errors:
+        kinds.setdefault((error.field, error.what), []).append(error)
+    for first, *others in kinds.values():
+        if others:
+            first.what += f" ({1 + len(others)} such rows)"
+    return [alike[0] for alike in kinds.values()]
 
 
 def fast_columns(card: Card, texts: Sequence[str], long: bool) -> list[NDArray[Any]] | None:
@@ -83,7 +103,8 @@ def fast_columns(card: Card, texts: Sequence[str], long: bool) -> list[NDArray[A
     total = sum(widths)
     if any(field.kind == "text" for field in fields):
         return None
-    if any(line[total:].strip() or not line.strip() for line in texts):
+    end = line_end(long)
+    if any(line[total:end].strip() or not line.strip() for line in texts):
         return None
     joined = "".join([line[:total].ljust(total) for line in texts])
     if not PLAIN.fullmatch(joined):
@@ -113,8 +134,7 @@ def fast_column(field: Field, characters: NDArray[np.bytes_]) -> NDArray[Any] | 
         values[values == 0] = field.default
     fine = (
         bool(np.isfinite(values).all())
-        and (not field.choices or bool(np.isin(values, field.choices).all()))
         and (field.above is None or bool((values > field.above).all()))
-        and (field.at_least is None or bool((values >= field.at_least).all()))
+        and not (field.unused and values.any())
     )
     return values if fine else None

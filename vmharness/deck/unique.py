@@ -5,35 +5,45 @@ from collections.abc import Sequence
 import numpy as np
 
 from vmharness.deck.entry import Entry
+from vmharness.deck.error import DeckError
 
 
-def check_unique(entries: Sequence[Entry]) -> None:
-    """Raise DeckError for a second entry of a single keyword and for a second definition of an id."""
-    kinds: dict[str, list[Entry]] = {}
-    single: dict[str, Entry] = {}
+def first_of_single(entries: Sequence[Entry], wrong: list[DeckError]) -> list[Entry]:
+    """The entries without the second ones of keywords that may stand only once, which are added to `wrong`."""
+    first: dict[str, Entry] = {}
+    kept = []
     for entry in entries:
-        keyword = entry.keyword
-        if keyword.unique:
-            kinds.setdefault(keyword.kind, []).append(entry)
-        if keyword.single and (other := single.setdefault(keyword.name, entry)) is not entry:
-            raise entry.error(None, f"may stand only once; there is one already at {other.file}:{other.line}")
-    for members in kinds.values():
-        _check_ids(members)
+        other = first.setdefault(entry.keyword.name, entry) if entry.keyword.single else entry
+        if other is entry:
+            kept.append(entry)
+        else:
+            what = f"may stand only once; there is one already at {other.file}:{other.line}"
+            wrong.append(entry.error(None, what))
+    return kept
 
 
-def _check_ids(entries: Sequence[Entry]) -> None:
-    """Ids of one kind, of tables and single cards alike; 0 is no id."""
+def repeated(entries: Sequence[Entry]) -> list[DeckError]:
+    """Of each kind of id, the first that is defined a second time."""
+    kinds: dict[str, list[Entry]] = {}
+    for entry in entries:
+        if entry.keyword.unique and entry.keyword.unique in entry.values:
+            kinds.setdefault(entry.keyword.kind, []).append(entry)
+    return [error for members in kinds.values() for error in _repeated_id(members)]
+
+
+def _repeated_id(entries: Sequence[Entry]) -> list[DeckError]:
+    """The first second definition of an id among ids of one kind, of tables and single cards alike; 0 is no id."""
     groups = [np.atleast_1d(entry.values[entry.keyword.unique]) for entry in entries]
     ids = np.concatenate(groups)
     order = np.argsort(ids, kind="stable")
     same = np.flatnonzero((ids[order][1:] == ids[order][:-1]) & (ids[order][1:] != 0))
     if not same.size:
-        return
+        return []
     again = same[np.argmin(order[same + 1])]  # the first in the deck
     first, second = (_place(entries, groups, int(order[again + i])) for i in (0, 1))
     (entry, row), (other, other_row) = second, first
     line = other.line_of(other.keyword.unique, other_row)
-    raise entry.error(entry.keyword.unique, f"defined already at {other.file}:{line}", row)
+    return [entry.error(entry.keyword.unique, f"defined already at {other.file}:{line}", row)]
 
 
 def _place(entries: Sequence[Entry], groups: Sequence[np.ndarray], index: int) -> tuple[Entry, int | None]:

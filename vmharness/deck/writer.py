@@ -1,5 +1,6 @@
 """A deck -> text in long format: includes flattened, parameters replaced by their values."""
 
+import re
 from collections.abc import Iterator
 from math import isfinite
 from typing import Any
@@ -10,19 +11,34 @@ from vmharness.deck.entry import Entry
 from vmharness.deck.field import LONG_WIDTH, Field
 
 IDS_PER_LINE = 8
+NAME = re.compile(r"&\s*([A-Za-z_]\w*)")
 
 
 def write_long(deck: Deck) -> str:
     """The resolved deck with 20 columns a field; `read` gives back equal entries.
 
+    A block that was kept unread keeps its lines and their format, and the parameters to which they refer.
+
     A real that needs more than 20 characters is rounded to the nearest that fits: relative change
     under 1e-12, and under 1e-14 where the exponent has one digit.
     """
-    lines = ["*KEYWORD LONG=Y"]
+    lines = ["*KEYWORD LONG=Y", *_parameters(deck)]
     for entry in deck.entries:
-        lines.append(f"*{entry.spelled}")
-        lines += entry_lines(entry)
+        if entry.raw:
+            lines += [f"*{entry.spelled}" + ("" if entry.raw.long else "-"), *entry.raw.lines]
+        else:
+            lines.append(f"*{entry.spelled}")
+            lines += entry_lines(entry)
     return "\n".join([*lines, "*END", ""])
+
+
+def _parameters(deck: Deck) -> list[str]:
+    """A *PARAMETER block of those parameters to which the lines of unread blocks refer."""
+    texts = [line for entry in deck.entries if entry.raw for line in entry.raw.lines]
+    named = dict.fromkeys(name.lower() for line in texts for name in NAME.findall(line))
+    kinds = {int: "I", float: "R", str: "C"}
+    known = [(name, deck.parameters[name]) for name in named if name in deck.parameters]
+    return ["*PARAMETER", *(f"{kinds[type(value)]} {name},{value}" for name, value in known)] if known else []
 
 
 def entry_lines(entry: Entry) -> Iterator[str]:

@@ -45,10 +45,11 @@ def _deck(case: "Case", solver: str) -> list[str]:
     from vmharness.backends import BackendError, backend
     from vmharness.case.deck import read_deck
     from vmharness.deck import DeckError
+    from vmharness.deck.finding import unsupported
 
     wrong: list[str] = []
     try:
-        wrong += backend(solver).review(read_deck(case), case.file.channels)
+        wrong += map(str, unsupported(backend(solver).review(read_deck(case), case.file.channels)))
         read_deck(_with_parameters_set(case))
     except (DeckError, BackendError) as error:
         wrong.append(str(error))

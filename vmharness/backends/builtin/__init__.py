@@ -12,7 +12,7 @@ from vmharness.backends.protocol import Found, Job, Output
 
 if TYPE_CHECKING:
     from vmharness.case.format import Channel
-    from vmharness.deck import Deck
+    from vmharness.deck import Deck, Finding
 
 NAME = "vmharness"
 COLD = "compiling the kernels of the solver: the first run takes up to a minute longer"
@@ -30,11 +30,11 @@ def found() -> Found:
     )
 
 
-def review(deck: "Deck", channels: "Mapping[str, Channel]") -> list[str]:
-    """What keeps it from running the deck, and the channels that the model does not have."""
-    from vmharness.backends.builtin.channels import refusals
+def review(deck: "Deck", channels: "Mapping[str, Channel]") -> "list[Finding]":
+    """What keeps it from running the deck, the channels that the model does not have, and what has no effect."""
+    from vmharness.backends.builtin.channels import findings
 
-    return refusals(deck, channels)
+    return findings(deck, channels)
 
 
 def reports(deck: "Deck") -> "dict[str, Channel]":

@@ -5,8 +5,9 @@ from collections.abc import Mapping
 from msgspec.structs import asdict
 
 from vmharness.case.format import Channel
-from vmharness.deck import Deck, DeckError
-from vmharness.explicit.build import build
+from vmharness.deck import Deck, DeckError, Finding
+from vmharness.deck.finding import in_order, unsupported
+from vmharness.explicit.build import assemble, build
 from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.energy import STORED, accounts
 from vmharness.explicit.force import Force
@@ -21,19 +22,16 @@ def probe_of(model: Model, channel: Channel) -> Probe:
     return probe(model, **fields)
 
 
-def refusals(deck: Deck, channels: Mapping[str, Channel]) -> list[str]:
-    """Why the model of the deck cannot be built; else each channel that it does not have."""
-    try:
-        model = build(deck)
-    except DeckError as error:
-        return [str(error)]
-    wrong = []
-    for name, channel in channels.items():
-        try:
-            probe_of(model, channel)
-        except ProbeError as error:
-            wrong.append(f"[channels] {name}: {error}")
-    return wrong
+def findings(deck: Deck, channels: Mapping[str, Channel]) -> list[Finding]:
+    """What the solver has to say of the deck; if it can build the model, each channel that this does not have."""
+    model, found = assemble(deck)
+    if model is not None and not unsupported(found):
+        for name, channel in channels.items():
+            try:
+                probe_of(model, channel)
+            except ProbeError as error:
+                found.append(Finding(DeckError(f"[channels] {name}: {error}")))
+    return in_order(deck, found)
 
 
 def energies(deck: Deck) -> dict[str, Channel]:

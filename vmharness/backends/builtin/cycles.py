@@ -14,6 +14,7 @@ from vmharness.explicit.error import SolverError
 from vmharness.explicit.loop import steps
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.probes import Probe, ProbeError
+from vmharness.explicit.supported import notes
 from vmharness.history import History
 
 PROGRESS_EVERY = 1000  # cycles
@@ -27,7 +28,8 @@ def run(job: Job) -> Output:
     except ProbeError as error:
         return Output(None, str(error))
     history, failure, seconds = record(model, probes, job.progress)
-    return Output(history, failure, _facts(model, history), model.state.cycle, seconds)
+    said = tuple(notes(job.deck))
+    return Output(history, failure, _facts(model, history), model.state.cycle, seconds, said)
 
 
 def record(

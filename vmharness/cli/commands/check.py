@@ -1,9 +1,11 @@
-"""`vm check`: are the cases sound, as far as can be said without running them."""
+"""`vm check`: are cases and decks sound, as far as can be said without running them."""
 
 from pathlib import Path
+from typing import Any
 
 import click
 
+from vmharness.cli.deck import Found, check_deck, is_deck, is_good, say_deck
 from vmharness.cli.options import FILE, solver_option
 from vmharness.cli.say import complain, say
 from vmharness.cli.selection import selected, selecting
@@ -27,15 +29,25 @@ def command(
     solver: str,
     json: Path | None,
 ) -> int:
-    """Check case files, decks and tolerances; run nothing.
+    """Check cases, or deck files; run nothing.
 
-    The schema, units, formulas, channels and faults are checked, too. Tolerances are held against the errors of the
-    last run of which reports/ has a record; studies there that other sources made, or another state of the case, are
-    named.
+    Of a deck file, everything is listed that is ill-formed, that the solver does not support, and that has no effect.
 
-    SELECT is an id, a pattern such as 'VM-0*', or the path of a case folder.
+    Of a case, schema, units, formulas, deck, channels and faults are checked. Tolerances are held against the errors
+    of the last run of which reports/ has a record; studies there that other sources made, or another state of the
+    case, are named.
+
+    SELECT is an id, a pattern such as 'VM-0*', or the path of a case folder or of a deck file.
     """
-    found, unknown = selected(selectors, cases, words, tags)
+    decks = {name: check_deck(Path(name), solver) for name in selectors if is_deck(name)}
+    for name, of_deck in decks.items():
+        say_deck(Path(name), of_deck)
+    good = all(map(is_good, decks.values()))
+    others = tuple(name for name in selectors if name not in decks)
+    if decks and not others:
+        _write(json, {}, decks)
+        return 0 if good else EXIT_CODES[Status.BROKEN]
+    found, unknown = selected(others, cases, words, tags)
     if not found:
         complain("nothing selected")
         return NOTHING_SELECTED
@@ -48,9 +60,8 @@ def command(
             say(f"  {sentence}")
         for sentence in review.doubtful:
             say(f"  doubtful: {sentence}")
-    if json is not None:
-        _write(json, reviews)
-    sound = not unknown and not any(review.wrong for review in reviews.values())
+    _write(json, reviews, decks)
+    sound = good and not unknown and not any(review.wrong for review in reviews.values())
     return 0 if sound else EXIT_CODES[Status.BROKEN]
 
 
@@ -63,12 +74,16 @@ def _stale(case: Entry) -> list[str]:
     return stale(REPORTS / case.id / FOLDER, inputs(case.folder), sources())
 
 
-def _write(path: Path, reviews: dict[str, Review]) -> None:
+def _write(path: Path | None, reviews: dict[str, Review], decks: dict[str, Found]) -> None:
+    """Write what was found as JSON, if asked for."""
+    if path is None:
+        return
     import msgspec
 
     from vmharness.execution import atomic
 
-    found = [
+    found: list[dict[str, Any]] = [
         {"case": id, "wrong": review.wrong, "doubtful": review.doubtful} for id, review in reviews.items()
     ]
+    found += [{"deck": name, **groups} for name, groups in decks.items()]
     atomic.write(path, msgspec.json.format(msgspec.json.encode(found), indent=1).decode() + "\n")

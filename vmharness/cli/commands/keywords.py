@@ -1,20 +1,24 @@
-"""`vm keywords`: what the deck reader and the built-in solver support."""
+"""`vm keywords`: what the deck reader knows, and what the built-in solver does with it."""
 
 import difflib
+from typing import TYPE_CHECKING
 
 import click
 
 from vmharness.cli.say import complain, say
 from vmharness.suite.outcome import NOTHING_SELECTED
 
+if TYPE_CHECKING:
+    from vmharness.deck import Keyword
+
 
 @click.command("keywords")
 @click.argument("words", nargs=-1, metavar="[WORD]...")
 def command(words: tuple[str, ...]) -> int:
-    """List the supported keywords, or the cards of some.
+    """List the known keywords, or the cards of some.
 
     With WORDs, only keywords whose names contain one of them are listed, with their cards. A card shows each field
-    in capitals, with its default and, where not all values are supported, those that are.
+    in capitals, with its default and, where the built-in solver does not support all values, those that it does.
     """
     from vmharness.deck import vocabulary
 
@@ -26,8 +30,24 @@ def command(words: tuple[str, ...]) -> int:
         complain(f"no keyword like {words[0]}" + (f"; there is *{', *'.join(near)}" if near else ""))
         return NOTHING_SELECTED
     for keyword in found:
-        options = "".join(f" [_{option}]" for option in keyword.options)
-        say(f"*{keyword.name}{options}" + (f"   ({keyword.effect})" if words and keyword.effect else ""))
-        for card in keyword.summary() if words else ():
-            say(f"    {card}")
+        if words:
+            _say_cards(keyword)
+        else:
+            say(_name(keyword))
     return 0
+
+
+def _name(keyword: "Keyword") -> str:
+    return f"*{keyword.name}" + "".join(f" [_{option}]" for option in keyword.options)
+
+
+def _say_cards(keyword: "Keyword") -> None:
+    """The cards, with what the built-in solver supports of them."""
+    from vmharness.explicit.supported import supported
+
+    support = supported().get(keyword.name)
+    remark = support.effect if support else "not supported"
+    say(_name(keyword) + (f"   ({remark})" if remark else ""))
+    limits = {name: rule.brief for name, rule in support.rules.items()} if support else {}
+    for card in keyword.summary(limits):
+        say(f"    {card}")

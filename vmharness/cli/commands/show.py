@@ -97,6 +97,7 @@ def _deck(case: "Case") -> None:
     from vmharness.case import CaseError
     from vmharness.case.deck import read_deck
     from vmharness.deck import DeckError
+    from vmharness.explicit.supported import notes
 
     try:
         deck = read_deck(case)
@@ -105,12 +106,12 @@ def _deck(case: "Case") -> None:
         return
     rows: Counter[str] = Counter()
     for entry in deck.entries:
-        if entry.keyword.name == "NODE" or entry.keyword.name.startswith("ELEMENT_"):
-            rows[entry.keyword.name] += np.size(entry.values["eid" if "eid" in entry.values else "nid"])
+        if entry.keyword.unique in ("nid", "eid"):
+            rows[entry.keyword.name] += np.size(entry.values[entry.keyword.unique])
     keywords = Counter(entry.keyword.name for entry in deck.entries)
     say(f"{case.deck_name}: {deck.title}")
     say("parameters: " + ", ".join(f"{name} = {value}" for name, value in deck.parameters.items()))
     say("model: " + ", ".join(f"{count} *{name}" for name, count in rows.items()))
     say("keywords: " + ", ".join(f"*{name}" + (f" ({n})" if n > 1 else "") for name, n in keywords.items()))
-    for note in deck.notes:
+    for note in (*deck.notes, *notes(deck)):
         say(f"note: {note}")

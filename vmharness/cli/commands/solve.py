@@ -75,7 +75,8 @@ def _nodes(deck: "Deck") -> "dict[str, Channel]":
 
 def _say(deck: "Deck", output: "Output", history: "History") -> None:
     say(f"{deck.path.name}: {deck.title}")
-    for sentence in (*deck.notes, *(f"{name}: {fact}" for name, fact in output.facts.items())):
+    facts = [f"{name}: {fact}" for name, fact in output.facts.items()]
+    for sentence in (*deck.notes, *output.notes, *facts):
         say(f"  {sentence}")
     say(f"  {output.cycles} cycles to t = {history.time[-1]:.6g} in {output.seconds:.2f} s")
     table = plain_table("Energy", "at the beginning", "largest", "at the end")

@@ -1,1 +1,4 @@
-"""Keywords that carry data only: one keyword family a file; the folder is the list."""
+"""The keywords of LS-DYNA as data, one family a file; the folder is the list.
+
+A card says what the format is: fields, columns, defaults. What a solver can do with the values is said by the solver.
+"""

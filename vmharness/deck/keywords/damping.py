@@ -1,14 +1,14 @@
 """*DAMPING: damping in proportion to mass, and of parts in proportion to stiffness."""
 
 from vmharness.deck.card import Card
-from vmharness.deck.field import Field, integer, only, real
+from vmharness.deck.field import Field, integer, real
 from vmharness.deck.keyword import Keyword
 
 FACTORS: dict[str, Field] = {name: real(0.0) for name in ("stx", "sty", "stz", "srx", "sry", "srz")}
 
 DAMPING_GLOBAL = Keyword(
     "DAMPING_GLOBAL",
-    Card({"lcid": integer(0, at_least=0), "valdmp": real(0.0, at_least=0.0), **FACTORS}),
+    Card({"lcid": integer(0), "valdmp": real(0.0), **FACTORS}),
     single=True,
 )
 
@@ -16,10 +16,10 @@ DAMPING_PART_MASS = Keyword(
     "DAMPING_PART_MASS",
     Card(
         pid=integer(above=0),
-        lcid=integer(above=0),
+        lcid=integer(),
         sf=real(1.0, zero_is_default=True),
-        flag=integer(0, choices=(0, 1)),
-        struc=only(0),
+        flag=integer(0),
+        struc=integer(0),
     ),
     Card(FACTORS, when=lambda entry: entry.flag == 1),
     repeat=True,

@@ -4,13 +4,11 @@ from vmharness.deck.card import Card, Rows
 from vmharness.deck.field import integer, real, text
 from vmharness.deck.keyword import Keyword
 
-EFFECT = "asks for output files; no effect on results."
-
 ASCII = tuple(
     Keyword(
         f"DATABASE_{name}",
         Card(
-            dt=real(0.0, at_least=0.0),
+            dt=real(0.0),
             binary=integer(0),
             lcur=integer(0),
             ioopt=integer(1),
@@ -19,7 +17,6 @@ ASCII = tuple(
             option3=integer(0),
             option4=integer(0),
         ),
-        effect=EFFECT,
     )
     for name in (
         "BNDOUT",
@@ -37,6 +34,8 @@ ASCII = tuple(
         "SECFORC",
         "SLEOUT",
         "SPCFORC",
+        "SSSTAT",
+        "TPRINT",
     )
 )
 
@@ -44,7 +43,7 @@ BINARY = tuple(
     Keyword(
         f"DATABASE_BINARY_{name}",
         Card(
-            dt=real(0.0, at_least=0.0),
+            dt=real(0.0),
             lcdt=integer(0),
             beam=integer(0),
             npltc=integer(0),
@@ -59,18 +58,25 @@ BINARY = tuple(
             type=integer(0),
             pset=integer(0),
         ),
-        effect=EFFECT,
     )
-    for name in ("D3PLOT", "D3THDT", "INTFOR")
+    for name in ("D3DUMP", "D3PART", "D3PLOT", "D3THDT", "INTFOR", "RUNRSF")
 )
+
+BINARY_D3PROP = Keyword("DATABASE_BINARY_D3PROP", Card(ifile=integer(1), imatl=integer(0), iwall=integer(0)))
+
+FORMAT = Keyword("DATABASE_FORMAT", Card(iform=integer(0), ibinary=integer(0)))
+
+ENTITIES = ("BEAM", "DISCRETE", "NODE", "SHELL", "SOLID")
 
 HISTORY = tuple(
-    Keyword(f"DATABASE_HISTORY_{name}", Rows(per_line=8, ids=integer(0)), effect=EFFECT)
-    for name in ("NODE", "NODE_SET", "SHELL", "SHELL_SET", "SOLID", "SOLID_SET")
+    Keyword(f"DATABASE_HISTORY_{name}{of}", Rows(per_line=8, ids=integer(0)))
+    for name in ENTITIES
+    for of in ("", "_SET")
 )
 
-HISTORY_NODE_ID = Keyword(
-    "DATABASE_HISTORY_NODE_ID", Rows(id1=integer(above=0), heading=text("", width=70)), effect=EFFECT
+HISTORY_ID = tuple(
+    Keyword(f"DATABASE_HISTORY_{name}_ID", Rows(id1=integer(above=0), heading=text("", width=70)))
+    for name in ENTITIES
 )
 
 EXTENT_BINARY = Keyword(
@@ -116,5 +122,6 @@ EXTENT_BINARY = Keyword(
         cubsld=integer(0),
         deleres=integer(0),
     ),
-    effect=EFFECT,
 )
+
+KEYWORDS = (*ASCII, *BINARY, BINARY_D3PROP, FORMAT, *HISTORY, *HISTORY_ID, EXTENT_BINARY)

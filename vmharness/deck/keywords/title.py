@@ -4,4 +4,4 @@ from vmharness.deck.card import Card
 from vmharness.deck.field import text
 from vmharness.deck.keyword import Keyword
 
-TITLE = Keyword("TITLE", Card(title=text("", width=80)), single=True, effect="a name; no effect on results.")
+TITLE = Keyword("TITLE", Card(title=text("", width=80)), single=True)

@@ -22,6 +22,8 @@ from vmharness.deck.keywords.boundary.prescribed_motion import (
     BOUNDARY_PRESCRIBED_MOTION_NODE,
     BOUNDARY_PRESCRIBED_MOTION_SET,
 )
+from vmharness.deck.rule import above, among, at_least, only
+from vmharness.deck.support import supports
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.model import Model
@@ -31,6 +33,17 @@ from vmharness.mesh.sets import node_set
 from vmharness.mesh.supports import supported
 
 KEYWORDS = (BOUNDARY_PRESCRIBED_MOTION_NODE, BOUNDARY_PRESCRIBED_MOTION_SET)
+
+MOTION = {
+    "dof": among(1, 2, 3, 5, 6, 7),
+    "vad": among(0, 1, 2),
+    "lcid": above(0),
+    "vid": only(0),
+    "death": above(0.0),
+    "birth": at_least(0.0),
+}
+
+SUPPORTS = tuple(supports(keyword, **MOTION) for keyword in KEYWORDS)
 
 VELOCITY, ACCELERATION, DISPLACEMENT = 0, 1, 2  # VAD
 

@@ -10,10 +10,13 @@ import numpy as np
 
 from vmharness.deck import Deck
 from vmharness.deck.keywords.boundary.prescribed_motion_rigid import BOUNDARY_PRESCRIBED_MOTION_RIGID
-from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion, build_motion
+from vmharness.deck.support import supports
+from vmharness.explicit.constraints.prescribed_motion import MOTION, PrescribedMotion, build_motion
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.rigid.definitions import definitions, held_by_cmo, lead_number
 from vmharness.mesh.dof import place
+
+SUPPORTS = (supports(BOUNDARY_PRESCRIBED_MOTION_RIGID, **MOTION),)
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -3,10 +3,23 @@
 import numpy as np
 
 from vmharness.deck import Deck
+from vmharness.deck.keywords.boundary.spc import BOUNDARY_SPC_NODE, BOUNDARY_SPC_SET, DOFS
+from vmharness.deck.keywords.node import NODE
+from vmharness.deck.rule import among, only
+from vmharness.deck.support import supports
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Array, Flags, Index, State
 from vmharness.mesh.supports import supported
+
+CODE = among(*range(8))
+DIRECTIONS = {"cid": only(0), **{dof: among(0, 1) for dof in DOFS}}
+
+SUPPORTS = (
+    supports(NODE, tc=CODE, rc=CODE),
+    supports(BOUNDARY_SPC_NODE, **DIRECTIONS),
+    supports(BOUNDARY_SPC_SET, **DIRECTIONS),
+)
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -4,7 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vmharness.deck import Deck, Keyword
+from vmharness.deck import Deck, Entry, Keyword
+from vmharness.deck.error import each
 from vmharness.deck.keywords.control.contact import CONTROL_CONTACT
 from vmharness.explicit.contact.cards import (
     contacts_of,
@@ -39,7 +40,8 @@ def add_contacts(deck: Deck, model: Model, kind: Kind) -> None:
         return
     every, control = all_facets(deck, model), control_of(deck)
     rigid = np.unique(every.nodes[every.rigid])
-    for entry in entries:
+
+    def add(entry: Entry) -> None:
         sides = Sides(deck, model, entry, control, every, kind.automatic, kind.single_surface)
         passes = passes_of(sides, kind.two_way)
         contact = Contact(number_of(deck, entry), passes, options_of(entry, control))
@@ -47,6 +49,8 @@ def add_contacts(deck: Deck, model: Model, kind: Kind) -> None:
         treat_initial_penetrations(contact, tracked, model, entry, kept, kind.automatic, rigid)
         model.facts |= of_contact(deck, entry, control, kind.two_way)
         model.forces.append(contact)
+
+    each(entries, add)
 
 
 def passes_of(sides: Sides, two_way: bool) -> list[tuple[Tracked, Segments]]:

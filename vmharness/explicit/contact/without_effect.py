@@ -1,7 +1,7 @@
 """Fields of contact cards that are read but act on nothing, here or beside the other fields: said in the run's facts.
 
-A field is said where its value is not the default. What would change the physics is refused as the card is read, see
-cards.py; but for SNLOG = 0, the default, whose logic for shooting nodes no contact here has.
+A field is said where its value is not the default. What would change the physics is refused, see
+supported.py; but for SNLOG = 0, the default, whose logic for shooting nodes no contact here has.
 """
 
 from collections.abc import Iterator, Mapping
@@ -19,7 +19,7 @@ SHOOTING = "a node that shoots through the surface is not moved back, as with SN
 def of_contact(deck: Deck, entry: Entry, control: Mapping[str, Any], two_way: bool) -> dict[str, str]:
     """The fact, by its name, that fields of a contact do not act; none where all do."""
     name = f"contact {number_of(deck, entry)}"
-    facts = _fact(name, entry, _of_cards(entry, control, two_way))
+    facts = _fact(name, entry, of_cards(entry, control, two_way))
     if entry.snlog or _thick(entry, control):
         facts[f"Shooting nodes of {name}"] = SHOOTING
     return facts
@@ -27,7 +27,7 @@ def of_contact(deck: Deck, entry: Entry, control: Mapping[str, Any], two_way: bo
 
 def of_control(control: Entry, contacts: list[Entry]) -> dict[str, str]:
     """The same of *CONTROL_CONTACT, which acts on the `contacts` of the deck."""
-    return _fact("*CONTROL_CONTACT", control, _of_control(contacts))
+    return _fact("*CONTROL_CONTACT", control, of_control_cards(contacts))
 
 
 def automatic(entry: Entry) -> bool:
@@ -54,7 +54,13 @@ def _thick(entry: Entry, control: Mapping[str, Any]) -> bool:
     return automatic(entry) or bool(entry.shlthk or control["shlthk"])
 
 
-def _of_cards(entry: Entry, control: Mapping[str, Any], two_way: bool) -> Iterator[Reason]:
+def reason(reasons: Iterator[Reason], field: str) -> str:
+    """Why a field does not act, or nothing."""
+    return next((why for fields, why in reasons if field in fields), "")
+
+
+def of_cards(entry: Entry, control: Mapping[str, Any], two_way: bool) -> Iterator[Reason]:
+    """What does not act beside the other fields of a contact."""
     yield ("sapr", "sbpr", "cid_rcf"), "of output alone"
     yield ("bsort",), "velocities say when to sort"
     yield ("igap",), "of implicit analysis"
@@ -93,7 +99,8 @@ def _of_friction(entry: Entry) -> Iterator[Reason]:
         yield ("vsf",), "VC = 0"
 
 
-def _of_control(contacts: list[Entry]) -> Iterator[Reason]:
+def of_control_cards(contacts: list[Entry]) -> Iterator[Reason]:
+    """What of *CONTROL_CONTACT does not act on any of the contacts."""
     plain = [entry for entry in contacts if not automatic(entry)]
     yield ("nsbcs",), "velocities say when to sort"
     yield ("islchk",), "initial penetrations are always looked for"

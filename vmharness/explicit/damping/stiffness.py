@@ -30,9 +30,12 @@ import numpy as np
 from vmharness.deck import Deck
 from vmharness.deck.keywords.damping import DAMPING_PART_STIFFNESS
 from vmharness.deck.keywords.part import PART
+from vmharness.deck.support import supports
 from vmharness.explicit.force import Dampable, Elements
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Array
+
+SUPPORTS = (supports(DAMPING_PART_STIFFNESS),)
 
 
 def build(deck: Deck, model: Model) -> None:

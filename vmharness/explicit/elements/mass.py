@@ -2,7 +2,11 @@
 
 from vmharness.deck import Deck
 from vmharness.deck.keywords.element.mass import ELEMENT_MASS
+from vmharness.deck.rule import at_least
+from vmharness.deck.support import supports
 from vmharness.explicit.model.model import Model
+
+SUPPORTS = (supports(ELEMENT_MASS, mass=at_least(0.0)),)
 
 NAME = "lumped mass"
 

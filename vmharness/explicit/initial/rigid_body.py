@@ -8,11 +8,15 @@ import numpy as np
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.initial.velocity_rigid_body import INITIAL_VELOCITY_RIGID_BODY
+from vmharness.deck.rule import only
+from vmharness.deck.support import supports
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Array
 from vmharness.explicit.rigid.body import RigidBody
 from vmharness.explicit.rigid.definitions import lead_number
 from vmharness.explicit.rigid.inertia import Inertia, inertia_of_points
+
+SUPPORTS = (supports(INITIAL_VELOCITY_RIGID_BODY, icid=only(0)),)
 
 
 def body_velocities(

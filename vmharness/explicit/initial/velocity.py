@@ -16,9 +16,25 @@ from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.initial.velocity import INITIAL_VELOCITY, INITIAL_VELOCITY_NODE
 from vmharness.deck.keywords.initial.velocity_generation import INITIAL_VELOCITY_GENERATION
 from vmharness.deck.keywords.part import PART
+from vmharness.deck.rule import among, at_least, only
+from vmharness.deck.support import supports
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Array, Index
 from vmharness.mesh.sets import node_set, nodes_of_parts, part_set
+
+SUPPORTS = (
+    supports(INITIAL_VELOCITY, boxid=only(0), irigid=only(0), icid=only(0)),
+    supports(INITIAL_VELOCITY_NODE, icid=only(0)),
+    supports(
+        INITIAL_VELOCITY_GENERATION,
+        id=at_least(0),
+        styp=among(1, 2, 3),
+        ivatn=only(0),
+        icid=only(0),
+        phase=only(0),
+        irigid=only(0),
+    ),
+)
 
 PART_SET, NODE_SET = 1, 3  # STYP
 

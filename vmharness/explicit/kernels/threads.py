@@ -15,9 +15,21 @@ import numpy as np
 
 from vmharness.deck import Deck
 from vmharness.deck.keywords.control.parallel import CONTROL_PARALLEL
+from vmharness.deck.rule import at_least, no_effect
+from vmharness.deck.support import supports
 from vmharness.explicit.force import Elements, Force
 from vmharness.explicit.kernels.compiled import concurrent
 from vmharness.explicit.model.state import Array, State
+
+SUPPORTS = (
+    supports(
+        CONTROL_PARALLEL,
+        ncpu=at_least(1),
+        numrhs=no_effect("each thread has forces of its own"),
+        const=no_effect("different numbers of threads agree to round-off"),
+        para=no_effect("of how LS-DYNA adds up forces"),
+    ),
+)
 
 FEWEST = 1000  # elements in a share: below, handing work to a thread costs more than it saves
 

@@ -23,6 +23,8 @@ from vmharness.deck.keywords.load.body import (
     LOAD_BODY_Z,
 )
 from vmharness.deck.keywords.part import PART
+from vmharness.deck.rule import above, no_effect, only
+from vmharness.deck.support import supports
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.model import Model
@@ -32,15 +34,26 @@ from vmharness.mesh.sets import nodes_of_parts, part_set
 
 NAME = "body load"
 
+ALONG = (LOAD_BODY_X, LOAD_BODY_Y, LOAD_BODY_Z)
+ABOUT = (LOAD_BODY_RX, LOAD_BODY_RY, LOAD_BODY_RZ)
+CURVE = {"lcid": above(0), "lciddr": no_effect("of dynamic relaxation"), "cid": only(0)}
+CENTRE = {name: no_effect("acts on rotations") for name in ("xc", "yc", "zc")}
+
+SUPPORTS = (
+    *(supports(keyword, **CURVE, **CENTRE) for keyword in ALONG),
+    *(supports(keyword, **CURVE) for keyword in ABOUT),
+    supports(LOAD_BODY_PARTS),
+)
+
 
 def build(deck: Deck, model: Model) -> None:
     """Add a force for each *LOAD_BODY_... of the deck."""
     nodes = _nodes(deck, model)
-    for axis, keyword in enumerate((LOAD_BODY_X, LOAD_BODY_Y, LOAD_BODY_Z)):
+    for axis, keyword in enumerate(ALONG):
         for entry in deck.all(keyword):
             curve = time_curve(deck, entry, "lcid", model.end_time)
             model.forces.append(BodyLoad(f"*{keyword.name}", nodes, axis, entry.sf, curve))
-    for axis, keyword in enumerate((LOAD_BODY_RX, LOAD_BODY_RY, LOAD_BODY_RZ)):
+    for axis, keyword in enumerate(ABOUT):
         for entry in deck.all(keyword):
             curve = time_curve(deck, entry, "lcid", model.end_time)
             centre = np.array([entry.xc, entry.yc, entry.zc])

@@ -11,6 +11,8 @@ import numpy as np
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.load.node import LOAD_NODE_POINT, LOAD_NODE_SET
 from vmharness.deck.keywords.load.rigid_body import LOAD_RIGID_BODY
+from vmharness.deck.rule import above, among, only
+from vmharness.deck.support import supports
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.model import Model
@@ -18,6 +20,15 @@ from vmharness.explicit.model.state import Array, Index, State
 from vmharness.explicit.rigid.definitions import lead_number
 from vmharness.mesh.dof import place
 from vmharness.mesh.sets import node_set
+
+LOAD = {
+    "dof": among(1, 2, 3, 5, 6, 7),
+    "lcid": above(0),
+    "cid": only(0),
+    **{f"m{i}": only(0) for i in (1, 2, 3)},
+}
+
+SUPPORTS = tuple(supports(keyword, **LOAD) for keyword in (LOAD_NODE_POINT, LOAD_NODE_SET, LOAD_RIGID_BODY))
 
 NAME = "nodal load"
 

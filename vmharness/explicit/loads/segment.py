@@ -17,11 +17,20 @@ import numpy as np
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.load.segment import CORNERS, LOAD_SEGMENT, LOAD_SEGMENT_SET
 from vmharness.deck.keywords.set.segment import SET_SEGMENT
+from vmharness.deck.rule import above, at_least, only
+from vmharness.deck.support import supports
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.vector import Vector, add, cross, row, scale, subtract
 from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Array, Index, State
+
+PRESSURE = {"lcid": above(0), "at": at_least(0.0)}
+
+SUPPORTS = (
+    supports(LOAD_SEGMENT, **PRESSURE, n5=only(0), n6=only(0), n7=only(0), n8=only(0)),
+    supports(LOAD_SEGMENT_SET, **PRESSURE),
+)
 
 NAME = "pressure on segments"
 

@@ -7,9 +7,13 @@ from typing import NamedTuple
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.mat.damper_nonlinear_viscous import MAT_DAMPER_NONLINEAR_VISCOUS
+from vmharness.deck.rule import above
+from vmharness.deck.support import supports
 from vmharness.explicit.kernels.vector import inlined
 from vmharness.explicit.model.characteristic import Characteristic, characteristic, ordinate, steepest
 from vmharness.explicit.model.state import Array
+
+SUPPORTS = (supports(MAT_DAMPER_NONLINEAR_VISCOUS, lcdr=above(0)),)
 
 KEYWORD = MAT_DAMPER_NONLINEAR_VISCOUS
 HISTORY = {"spring": 0}

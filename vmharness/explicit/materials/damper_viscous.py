@@ -8,8 +8,12 @@ from typing import NamedTuple
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.mat.damper_viscous import MAT_DAMPER_VISCOUS
+from vmharness.deck.rule import at_least
+from vmharness.deck.support import supports
 from vmharness.explicit.kernels.vector import inlined
 from vmharness.explicit.model.state import Array
+
+SUPPORTS = (supports(MAT_DAMPER_VISCOUS, dc=at_least(0.0)),)
 
 KEYWORD = MAT_DAMPER_VISCOUS
 HISTORY = {"spring": 0}

@@ -4,6 +4,8 @@ from typing import NamedTuple
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.mat.elastic import MAT_ELASTIC
+from vmharness.deck.rule import above, between, only
+from vmharness.deck.support import supports
 from vmharness.explicit.kernels.vector import inlined
 from vmharness.explicit.materials._law import Moduli
 from vmharness.explicit.model.state import Array
@@ -11,6 +13,10 @@ from vmharness.explicit.model.state import Array
 KEYWORD = MAT_ELASTIC
 HISTORY = {"plane_stress": 0, "solid": 0, "uniaxial": 0}
 CHANNELS: dict[str, int] = {}
+
+SUPPORTS = (
+    supports(MAT_ELASTIC, ro=above(0.0), e=above(0.0), pr=between(-1.0, 0.5), da=only(0.0), db=only(0.0)),
+)
 
 
 class Elastic(NamedTuple):

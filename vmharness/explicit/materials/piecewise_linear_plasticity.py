@@ -17,6 +17,8 @@ import numpy as np
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.define.curve import DEFINE_CURVE, points
 from vmharness.deck.keywords.mat.piecewise_linear_plasticity import EPS, ES, MAT_PIECEWISE_LINEAR_PLASTICITY
+from vmharness.deck.rule import above, among, at_least, between, only
+from vmharness.deck.support import supports
 from vmharness.explicit.materials._plasticity.constants import Plastic
 from vmharness.explicit.materials._plasticity.piecewise_linear import Curve, curve, line
 from vmharness.explicit.materials._plasticity.plane_stress import plane_stress
@@ -25,6 +27,22 @@ from vmharness.explicit.materials._plasticity.solid import solid
 from vmharness.explicit.materials._plasticity.uniaxial import uniaxial
 from vmharness.explicit.materials.elastic import density, moduli
 from vmharness.explicit.model.state import Array
+
+SUPPORTS = (
+    supports(
+        MAT_PIECEWISE_LINEAR_PLASTICITY,
+        ro=above(0.0),
+        e=above(0.0),
+        pr=between(-1.0, 0.5),
+        sigy=at_least(0.0),
+        etan=at_least(0.0),
+        fail=among(0.0, 1e20, 1e21),
+        tdel=only(0.0),
+        **{name: at_least(0.0) for name in ("c", "p", "lcss", "lcsr", *EPS, *ES)},
+        vp=among(0.0, 1.0),
+        rfiltf=only(0.0),
+    ),
+)
 
 __all__ = [
     "CHANNELS", "HISTORY", "KEYWORD", "constants", "density", "moduli", "plane_stress", "solid", "uniaxial",

@@ -12,6 +12,8 @@ Source: R. D. Krieg, S. W. Key, Implementation of a time dependent plasticity th
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.mat.plastic_kinematic import MAT_PLASTIC_KINEMATIC
+from vmharness.deck.rule import above, among, at_least, between, only
+from vmharness.deck.support import supports
 from vmharness.explicit.materials._plasticity.constants import Plastic
 from vmharness.explicit.materials._plasticity.piecewise_linear import line
 from vmharness.explicit.materials._plasticity.plane_stress import plane_stress
@@ -19,6 +21,17 @@ from vmharness.explicit.materials._plasticity.rate import cowper_symonds
 from vmharness.explicit.materials._plasticity.solid import solid
 from vmharness.explicit.materials._plasticity.uniaxial import uniaxial
 from vmharness.explicit.materials.elastic import density, moduli
+
+SUPPORTS = (
+    supports(
+        MAT_PLASTIC_KINEMATIC,
+        **{name: above(0.0) for name in ("ro", "e", "sigy")},
+        **{name: at_least(0.0) for name in ("etan", "beta", "src", "srp")},
+        pr=between(-1.0, 0.5),
+        fs=only(0.0),
+        vp=among(0.0, 1.0),
+    ),
+)
 
 __all__ = [
     "CHANNELS", "HISTORY", "KEYWORD", "constants", "density", "moduli", "plane_stress", "solid", "uniaxial",

@@ -5,7 +5,27 @@ CMO = 1 constrains the translation of the centre and the rotation of the body al
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.mat.rigid import MAT_RIGID
+from vmharness.deck.rule import above, among, between, no_effect, only
+from vmharness.deck.support import supports
 from vmharness.explicit.materials.elastic import density, moduli
+
+SUPPORTS = (
+    supports(
+        MAT_RIGID,
+        ro=above(0.0),
+        e=above(0.0),
+        pr=between(-1.0, 0.5),
+        **{name: only(0.0) for name in ("n", "couple", "m")},
+        alias=no_effect("a name"),
+        cmo=among(0, 1),
+        con1=among(*range(8)),
+        con2=among(*range(8)),
+        spcnid=only(0),
+        **{name: only(0.0) for name in ("xspc", "yspc", "zspc")},
+        **{name: no_effect("of output alone") for name in ("lco", "a2", "a3", "v1", "v2", "v3")},
+        bndlco=only(0),
+    ),
+)
 
 __all__ = ["CHANNELS", "HISTORY", "KEYWORD", "constants", "density", "moduli"]
 

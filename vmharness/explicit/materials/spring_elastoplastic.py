@@ -12,8 +12,12 @@ from typing import NamedTuple
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.mat.spring_elastoplastic import MAT_SPRING_ELASTOPLASTIC
+from vmharness.deck.rule import above, at_least
+from vmharness.deck.support import supports
 from vmharness.explicit.kernels.vector import inlined
 from vmharness.explicit.model.state import Array
+
+SUPPORTS = (supports(MAT_SPRING_ELASTOPLASTIC, k=above(0.0), kt=at_least(0.0), fy=above(0.0)),)
 
 KEYWORD = MAT_SPRING_ELASTOPLASTIC
 HISTORY = {"spring": 2}  # d_p, p

@@ -10,9 +10,13 @@ from typing import NamedTuple
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.mat.spring_nonlinear_elastic import MAT_SPRING_NONLINEAR_ELASTIC
+from vmharness.deck.rule import above, only
+from vmharness.deck.support import supports
 from vmharness.explicit.kernels.vector import inlined
 from vmharness.explicit.model.characteristic import Characteristic, characteristic, ordinate, steepest
 from vmharness.explicit.model.state import Array
+
+SUPPORTS = (supports(MAT_SPRING_NONLINEAR_ELASTIC, lcd=above(0), lcr=only(0)),)
 
 KEYWORD = MAT_SPRING_NONLINEAR_ELASTIC
 HISTORY = {"spring": 0}

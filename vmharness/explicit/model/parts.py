@@ -6,13 +6,32 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.deck import Deck, Entry, Keyword
+from vmharness.deck import Deck, DeckError, Entry, Keyword
+from vmharness.deck.error import refuse
 from vmharness.deck.keywords.mat.rigid import MAT_RIGID
 from vmharness.deck.keywords.part import PART
+from vmharness.deck.rule import above, among, at_least, no_effect, only
+from vmharness.deck.support import supports
 from vmharness.explicit.kernels.threads import shares
 from vmharness.explicit.materials import Moduli, continuum_law, material_of
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Index
+
+SUPPORTS = (
+    supports(
+        PART,
+        eosid=only(0),
+        hgid=at_least(0),
+        grav=only(0),
+        adpopt=only(0),
+        tmid=no_effect("of thermal analysis"),
+        tm=above(0.0),
+        ircs=among(0, 1),
+        nodeid=at_least(0),
+        **{name: at_least(0.0) for name in ("ixx", "iyy", "izz")},
+        cid2=only(0),
+    ),
+)
 
 
 @dataclass(frozen=True)
@@ -67,7 +86,8 @@ class Part:
 def parts(deck: Deck, model: Model, elements: Sequence[Keyword], sections: Keyword) -> Iterator[Part]:
     """Yield every part that has such elements, in the order of their first element; a large one in shares for threads.
 
-    `sections` is the *SECTION_... that their part must have.
+    `sections` is the *SECTION_... that their part must have. Parts that lack something are passed over; in the end
+    DeckError is raised for all of them.
     """
     tables = deck.all(*elements)
     if not tables:
@@ -76,12 +96,18 @@ def parts(deck: Deck, model: Model, elements: Sequence[Keyword], sections: Keywo
     nodes = np.concatenate([model.corners(table, table.keyword.corners, ground=True) for table in tables])
     number = np.concatenate([np.full(table.eid.size, i) for i, table in enumerate(tables)])
     row = np.concatenate([np.arange(table.eid.size) for table in tables])
+    wrong: list[DeckError] = []
     for one in dict.fromkeys(pid.tolist()):
         chosen = np.flatnonzero(pid == one)
         first = (tables[number[chosen[0]]], "pid", int(row[chosen[0]]))
-        part = deck.find(PART, pid=one, referred_by=first)
-        section = deck.find(sections, secid=part.secid, referred_by=(part, "secid"))
-        material = material_of(deck, part)
+        try:
+            part = deck.find(PART, pid=one, referred_by=first)
+            section = deck.find(sections, secid=part.secid, referred_by=(part, "secid"))
+            material = material_of(deck, part)
+        except DeckError as error:
+            wrong.append(error)
+            continue
         for share in shares(chosen.size, model.ncpu):
             some = chosen[share]
             yield Part(deck, part, section, material, eid[some], nodes[some], number[some], row[some], tables)
+    refuse(wrong)

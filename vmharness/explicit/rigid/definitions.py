@@ -6,6 +6,10 @@ The number of a body is its PID. A body that is merged into another has that bod
 import numpy as np
 
 from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.constrained.extra_nodes import (
+    CONSTRAINED_EXTRA_NODES_NODE,
+    CONSTRAINED_EXTRA_NODES_SET,
+)
 from vmharness.deck.keywords.constrained.nodal_rigid_body import (
     CONSTRAINED_NODAL_RIGID_BODY,
     CONSTRAINED_NODAL_RIGID_BODY_INERTIA,
@@ -13,8 +17,35 @@ from vmharness.deck.keywords.constrained.nodal_rigid_body import (
 from vmharness.deck.keywords.constrained.rigid_bodies import CONSTRAINED_RIGID_BODIES
 from vmharness.deck.keywords.mat.rigid import MAT_RIGID
 from vmharness.deck.keywords.part import PART, has_inertia
+from vmharness.deck.rule import above, among, at_least, no_effect, only
+from vmharness.deck.support import supports
 from vmharness.explicit.model.state import Flags
 from vmharness.mesh.dof import coded
+
+OF_BODY = {
+    "cid": only(0, idle=lambda deck, entry: "of output alone"),
+    "nsid": at_least(0),
+    "pnode": only(0, idle=lambda deck, entry: "of output alone"),
+    "iprt": no_effect("of output alone"),
+    "drflag": only(0),
+    "rrflag": only(0),
+}
+
+SUPPORTS = (
+    supports(CONSTRAINED_NODAL_RIGID_BODY, **OF_BODY),
+    supports(
+        CONSTRAINED_NODAL_RIGID_BODY_INERTIA,
+        **OF_BODY,
+        tm=above(0.0),
+        ircs=among(0, 1),
+        nodeid=at_least(0),
+        **{name: at_least(0.0) for name in ("ixx", "iyy", "izz")},
+        cid2=only(0),
+    ),
+    supports(CONSTRAINED_EXTRA_NODES_NODE, iflag=only(0)),
+    supports(CONSTRAINED_EXTRA_NODES_SET, iflag=only(0)),
+    supports(CONSTRAINED_RIGID_BODIES, iflag=only(0)),
+)
 
 
 def definitions(deck: Deck) -> list[Entry]:

@@ -4,10 +4,20 @@ import numpy as np
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.constrained.joint import CONSTRAINED_JOINT_REVOLUTE, CONSTRAINED_JOINT_SPHERICAL
+from vmharness.deck.rule import no_effect, only
+from vmharness.deck.support import supports
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Array, Index
 from vmharness.explicit.rigid.bodies import Bodies
 from vmharness.explicit.rigid.joints import Joints, Pair
+
+PENALTY = {name: no_effect("acts on joints by penalty") for name in ("rps", "damp")}
+FURTHER = {"n5": only(0), "n6": only(0), **PENALTY}
+
+SUPPORTS = (
+    supports(CONSTRAINED_JOINT_SPHERICAL, n3=only(0), n4=only(0), **FURTHER),
+    supports(CONSTRAINED_JOINT_REVOLUTE, **FURTHER),
+)
 
 KINDS = (CONSTRAINED_JOINT_SPHERICAL, CONSTRAINED_JOINT_REVOLUTE)
 COINCIDENT = 1e-9  # of the size of the model: nodes that are nearer lie at one point

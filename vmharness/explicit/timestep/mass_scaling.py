@@ -22,11 +22,55 @@ or momentum.)
 import numpy as np
 
 from vmharness.deck import Deck, Entry
+from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
+from vmharness.deck.rule import above, among, at_least, no_effect, only, unless
+from vmharness.deck.support import supports
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.force import Elements, Scalable
+from vmharness.explicit.model.contents import shells, solids
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Array, Flags, State
+
+
+def _no_scaling(deck: Deck, entry: Entry) -> str:
+    control = deck.first(CONTROL_TIMESTEP)
+    return "" if control and control.dt2ms else "no mass is added without DT2MS"
+
+
+def _no_erosion(deck: Deck, entry: Entry) -> str:
+    control = deck.first(CONTROL_TERMINATION)
+    return "" if control and control.dtmin else "nothing is eroded without DTMIN"
+
+
+SUPPORTS = (
+    supports(
+        CONTROL_TIMESTEP,
+        dtinit=at_least(0.0),
+        tssfac=above(0.0),
+        isdo=among(0, 1, 2),
+        tslimt=only(0.0, idle=unless(shells, "the deck has no shells")),
+        lctm=at_least(0),
+        erode=only(0, idle=_no_erosion),
+        ms1st=among(0, 1, idle=_no_scaling),
+        **{name: only(0, idle=_no_scaling) for name in ("dt2msf", "dt2mslc", "emscl", "rmavg")},
+        imscl=only(0),  # selective mass scaling
+        rmscl=only(0.0),
+        ihdo=only(0, idle=unless(solids, "the deck has no solids")),
+        igado=no_effect("acts on isogeometric elements"),
+        dtusr=only(0),
+        dtdynv=no_effect("of output alone"),
+    ),
+    supports(
+        CONTROL_TERMINATION,
+        endtim=above(0.0),
+        endcyc=at_least(0),
+        dtmin=at_least(0.0),
+        endeng=only(0.0),
+        endmas=among(0.0, 1.0e8, idle=_no_scaling),
+        nosol=only(0),
+    ),
+)
 
 
 def build(deck: Deck, model: Model) -> None:

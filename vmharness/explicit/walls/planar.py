@@ -11,6 +11,8 @@ import numpy as np
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.control.contact import CONTROL_CONTACT
 from vmharness.deck.keywords.rigidwall import KEYWORDS
+from vmharness.deck.rule import above, at_least, no_effect, only
+from vmharness.deck.support import supports
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.state import Array, Flags, Index
@@ -19,6 +21,25 @@ from vmharness.explicit.walls.face import NORMAL, covers, face_of
 from vmharness.explicit.walls.wall import PlanarWall
 from vmharness.mesh.sets import node_set
 from vmharness.mesh.supports import supported
+
+SUPPORTS = tuple(
+    supports(
+        keyword,
+        id=at_least(0),
+        nsid=at_least(0),
+        nsidex=at_least(0),
+        boxid=only(0),
+        offset=at_least(0.0),
+        birth=at_least(0.0),
+        death=above(0.0),
+        rwksf=no_effect("acts on rigid bodies at rigid walls"),
+        fric=at_least(0.0),
+        wvel=only(0.0),
+        **({"lenl": above(0.0), "lenm": above(0.0)} if "FINITE" in keyword.name else {}),
+        **({"mass": above(0.0)} if "MOVING" in keyword.name else {}),
+    )
+    for keyword in KEYWORDS
+)
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -238,8 +238,8 @@ def test_pendulum_on_a_stiff_bar(deck):
 @pytest.mark.parametrize(
     ("section", "element", "message"),
     [
-        ("1", "1,1,1,2", "ELFORM = .*only 2 and 3 are supported"),
-        ("1,1", "1,1,1,2", "ELFORM = 1: only 2 and 3 are supported"),
+        ("1\n1.0", "1,1,1,2", "ELFORM = .*only 2 and 3 are supported"),
+        ("1,1\n1.0", "1,1,1,2", "ELFORM = 1: only 2 and 3 are supported"),
         ("1,3\n1.0,0.5", "1,1,1,2", "RAMPT = 0.5: only 0.0 is supported"),
         ("1,3\n1.0,0.0,7.0", "1,1,1,2", "STRESS = 7.0: only 0.0 is supported"),
         ("1,3\n0.0", "1,1,1,2", "A = 0.0: must be greater than 0"),

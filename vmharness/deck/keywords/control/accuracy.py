@@ -1,19 +1,18 @@
 """*CONTROL_ACCURACY: objective stress update and node numbering."""
 
 from vmharness.deck.card import Card
-from vmharness.deck.field import integer, only
+from vmharness.deck.field import integer, real
 from vmharness.deck.keyword import Keyword
 
 CONTROL_ACCURACY = Keyword(
     "CONTROL_ACCURACY",
     Card(
-        osu=integer(0, choices=(0, 1)),
-        inn=only(1, zero_is_default=True),
-        pidos=only(0),
-        iacc=only(0),
-        exacc=only(0.0),
-        srtflg=integer(0, choices=(0, 1)),
+        osu=integer(0),
+        inn=integer(1, zero_is_default=True),
+        pidos=integer(0),
+        iacc=integer(0),
+        exacc=real(0.0),
+        srtflg=integer(0),
     ),
     single=True,
-    effect="the stress update is always of second order (OSU = 1).",
 )

@@ -17,7 +17,6 @@ DEFAULTS = {
 
 CONTROL_ENERGY = Keyword(
     "CONTROL_ENERGY",
-    Card({name: integer(on, choices=(1, 2), zero_is_default=True) for name, on in DEFAULTS.items()}),
+    Card({name: integer(on, zero_is_default=True) for name, on in DEFAULTS.items()}),
     single=True,
-    effect="every energy is always computed.",
 )

@@ -7,8 +7,8 @@ from vmharness.deck.keyword import Keyword
 CONTROL_HOURGLASS = Keyword(
     "CONTROL_HOURGLASS",
     Card(
-        ihq=integer(0, choices=tuple(range(7))),
-        qh=real(0.1, zero_is_default=True, at_least=0.0),
+        ihq=integer(0),
+        qh=real(0.1, zero_is_default=True),
     ),
     single=True,
 )

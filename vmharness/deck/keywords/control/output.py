@@ -22,5 +22,4 @@ CONTROL_OUTPUT = Keyword(
     _card("insf isolsf ibsf issf mlkbag kineng isfcnt"),
     _card("ielogkey ielogini ielogsol"),
     single=True,
-    effect="asks for print-outs; no effect on results.",
 )

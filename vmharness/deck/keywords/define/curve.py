@@ -5,20 +5,20 @@ from numpy.typing import NDArray
 
 from vmharness.deck.card import Card, Rows
 from vmharness.deck.entry import Entry
-from vmharness.deck.field import integer, only, real
+from vmharness.deck.field import integer, real
 from vmharness.deck.keyword import Keyword
 
 DEFINE_CURVE = Keyword(
     "DEFINE_CURVE",
     Card(
         lcid=integer(above=0),
-        sidr=only(0),
+        sidr=integer(0),
         sfa=real(1.0, zero_is_default=True),
         sfo=real(1.0, zero_is_default=True),
         offa=real(0.0),
         offo=real(0.0),
-        dattyp=only(0),
-        lcint=integer(0),  # points of LS-DYNA's own resampling; curves are used as they are
+        dattyp=integer(0),
+        lcint=integer(0),  # points of LS-DYNA's own resampling
     ),
     Rows(a1=real(0.0, width=20), o1=real(0.0, width=20)),
     options=("TITLE",),

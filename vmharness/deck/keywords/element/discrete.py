@@ -10,9 +10,9 @@ ELEMENT_DISCRETE = Keyword(
         eid=integer(width=8, above=0),
         pid=integer(width=8, above=0),
         n1=integer(width=8, above=0),
-        n2=integer(0, width=8, at_least=0),  # 0 is the ground
-        vid=integer(0, width=8, at_least=0),
-        s=real(1.0, width=16, zero_is_default=True, above=0.0),
+        n2=integer(0, width=8),  # 0 is the ground
+        vid=integer(0, width=8),
+        s=real(1.0, width=16, zero_is_default=True),
         pf=integer(0, width=8),  # what is printed
         offset=real(0.0, width=16),
     ),

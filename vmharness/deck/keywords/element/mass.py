@@ -9,7 +9,7 @@ ELEMENT_MASS = Keyword(
     Card(
         eid=integer(width=8, above=0),
         nid=integer(width=8, above=0),
-        mass=real(0.0, width=16, at_least=0.0),
+        mass=real(0.0, width=16),
         pid=integer(0, width=8),
     ),
     table=True,

@@ -1,7 +1,7 @@
 """*INITIAL_VELOCITY_RIGID_BODY: velocity of the centre and angular velocity of a rigid body at t = 0."""
 
 from vmharness.deck.card import Card
-from vmharness.deck.field import integer, only, real
+from vmharness.deck.field import integer, real
 from vmharness.deck.keyword import Keyword
 
 INITIAL_VELOCITY_RIGID_BODY = Keyword(
@@ -14,7 +14,7 @@ INITIAL_VELOCITY_RIGID_BODY = Keyword(
         vxr=real(0.0),
         vyr=real(0.0),
         vzr=real(0.0),
-        icid=only(0),
+        icid=integer(0),
     ),
     repeat=True,
     unique="pid",

@@ -6,7 +6,7 @@ from vmharness.deck.keyword import Keyword
 
 MAT_DAMPER_NONLINEAR_VISCOUS = Keyword(
     "MAT_DAMPER_NONLINEAR_VISCOUS",
-    Card(mid=integer(above=0), lcdr=integer(above=0)),
+    Card(mid=integer(above=0), lcdr=integer()),
     aliases=("MAT_S05",),
     options=("TITLE",),
     repeat=True,

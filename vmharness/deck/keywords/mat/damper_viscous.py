@@ -6,7 +6,7 @@ from vmharness.deck.keyword import Keyword
 
 MAT_DAMPER_VISCOUS = Keyword(
     "MAT_DAMPER_VISCOUS",
-    Card(mid=integer(above=0), dc=real(at_least=0.0)),
+    Card(mid=integer(above=0), dc=real()),
     aliases=("MAT_S02",),
     options=("TITLE",),
     repeat=True,

@@ -1,25 +1,25 @@
 """*MAT_PLASTIC_KINEMATIC (003): bilinear plasticity with isotropic, kinematic or mixed hardening."""
 
 from vmharness.deck.card import Card
-from vmharness.deck.field import integer, only, real
+from vmharness.deck.field import integer, real
 from vmharness.deck.keyword import Keyword
 
 MAT_PLASTIC_KINEMATIC = Keyword(
     "MAT_PLASTIC_KINEMATIC",
     Card(
         mid=integer(above=0),
-        ro=real(above=0.0),
-        e=real(above=0.0),
+        ro=real(),
+        e=real(),
         pr=real(0.0),
-        sigy=real(above=0.0),
-        etan=real(0.0, at_least=0.0),
-        beta=real(0.0, at_least=0.0),
+        sigy=real(),
+        etan=real(0.0),
+        beta=real(0.0),
     ),
     Card(
-        src=real(0.0, at_least=0.0),
-        srp=real(0.0, at_least=0.0),
-        fs=only(0.0),
-        vp=real(0.0, choices=(0.0, 1.0)),
+        src=real(0.0),
+        srp=real(0.0),
+        fs=real(0.0),
+        vp=real(0.0),
     ),
     aliases=("MAT_003",),
     options=("TITLE",),

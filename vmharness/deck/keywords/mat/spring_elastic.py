@@ -6,7 +6,7 @@ from vmharness.deck.keyword import Keyword
 
 MAT_SPRING_ELASTIC = Keyword(
     "MAT_SPRING_ELASTIC",
-    Card(mid=integer(above=0), k=real(at_least=0.0)),
+    Card(mid=integer(above=0), k=real()),
     aliases=("MAT_S01",),
     options=("TITLE",),
     repeat=True,

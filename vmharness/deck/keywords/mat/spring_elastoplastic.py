@@ -6,7 +6,7 @@ from vmharness.deck.keyword import Keyword
 
 MAT_SPRING_ELASTOPLASTIC = Keyword(
     "MAT_SPRING_ELASTOPLASTIC",
-    Card(mid=integer(above=0), k=real(above=0.0), kt=real(0.0, at_least=0.0), fy=real(above=0.0)),
+    Card(mid=integer(above=0), k=real(), kt=real(0.0), fy=real()),
     aliases=("MAT_S03",),
     options=("TITLE",),
     repeat=True,

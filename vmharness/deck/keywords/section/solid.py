@@ -1,7 +1,7 @@
 """*SECTION_SOLID: formulation of solids."""
 
 from vmharness.deck.card import Card
-from vmharness.deck.field import integer, only, skip
+from vmharness.deck.field import integer, real, skip
 from vmharness.deck.keyword import Keyword
 
 SECTION_SOLID = Keyword(
@@ -9,12 +9,12 @@ SECTION_SOLID = Keyword(
     Card(
         secid=integer(above=0),
         elform=integer(1, zero_is_default=True),
-        aet=only(0),
+        aet=integer(0),
         _4=skip(),
         _5=skip(),
         _6=skip(),
-        cohoff=only(0.0),
-        gaskett=only(0.0),
+        cohoff=real(0.0),
+        gaskett=real(0.0),
     ),
     repeat=True,
     options=("TITLE",),

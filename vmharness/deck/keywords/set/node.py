@@ -10,7 +10,7 @@ HEAD = Card(
     da2=real(0.0),
     da3=real(0.0),
     da4=real(0.0),
-    solver=text("MECH", choices=("MECH",)),
+    solver=text("MECH", capitals=True),
     its=integer(1),
 )
 
@@ -38,7 +38,7 @@ MEMBERS: dict[str, Field] = {f"e{i}": integer(0) for i in range(1, 8)}
 SET_NODE_GENERAL = Keyword(
     "SET_NODE_GENERAL",
     HEAD,
-    Rows({"option": text(choices=("ALL", "NODE", "PART")), **MEMBERS}),
+    Rows({"option": text(capitals=True), **MEMBERS}),
     options=("TITLE",),
     unique="sid",
     kind="node set",

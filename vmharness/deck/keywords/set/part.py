@@ -12,7 +12,7 @@ SET_PART_LIST = Keyword(
         da2=real(0.0),
         da3=real(0.0),
         da4=real(0.0),
-        solver=text("MECH", choices=("MECH",)),
+        solver=text("MECH", capitals=True),
     ),
     Rows(per_line=8, parts=integer(0)),
     aliases=("SET_PART",),

@@ -1,7 +1,7 @@
 """*SET_SEGMENT: faces of four nodes; a triangle repeats its third."""
 
 from vmharness.deck.card import Card, Rows
-from vmharness.deck.field import integer, only, real, text
+from vmharness.deck.field import integer, real, text
 from vmharness.deck.keyword import Keyword
 
 SET_SEGMENT = Keyword(
@@ -12,7 +12,7 @@ SET_SEGMENT = Keyword(
         da2=real(0.0),
         da3=real(0.0),
         da4=real(0.0),
-        solver=text("MECH", choices=("MECH",)),
+        solver=text("MECH", capitals=True),
         its=integer(0),
     ),
     Rows(
@@ -20,10 +20,10 @@ SET_SEGMENT = Keyword(
         n2=integer(above=0),
         n3=integer(above=0),
         n4=integer(above=0),
-        a1=only(0.0),
-        a2=only(0.0),
-        a3=only(0.0),
-        a4=only(0.0),
+        a1=real(0.0),
+        a2=real(0.0),
+        a3=real(0.0),
+        a4=real(0.0),
     ),
     options=("TITLE",),
     unique="sid",

@@ -7,10 +7,12 @@ with a mass alone has no thickness. Contact with solids is on the outside, at th
 from vmharness.deck import Deck
 from vmharness.deck.keywords.contact import CONTACT_AUTOMATIC_NODES_TO_SURFACE
 from vmharness.explicit.contact.build import Kind, add_contacts
+from vmharness.explicit.contact.supported import NODES, SEGMENTS, contact
 from vmharness.explicit.model.model import Model
 
 NAME = "automatic nodes to surface"
 KIND = Kind(CONTACT_AUTOMATIC_NODES_TO_SURFACE, automatic=True)
+SUPPORTS = (contact(KIND, NODES, SEGMENTS),)
 
 
 def build(deck: Deck, model: Model) -> None:

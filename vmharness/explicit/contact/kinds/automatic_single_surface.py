@@ -8,10 +8,12 @@ a shell (SSTHK = 0).
 from vmharness.deck import Deck
 from vmharness.deck.keywords.contact import CONTACT_AUTOMATIC_SINGLE_SURFACE
 from vmharness.explicit.contact.build import Kind, add_contacts
+from vmharness.explicit.contact.supported import NONE, SEGMENTS, contact
 from vmharness.explicit.model.model import Model
 
 NAME = "automatic single surface"
 KIND = Kind(CONTACT_AUTOMATIC_SINGLE_SURFACE, automatic=True, single_surface=True)
+SUPPORTS = (contact(KIND, SEGMENTS, NONE),)
 
 
 def build(deck: Deck, model: Model) -> None:

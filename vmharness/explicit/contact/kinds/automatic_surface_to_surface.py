@@ -6,10 +6,12 @@ Two-way: see contact/contact.py for how the two passes share the force, and auto
 from vmharness.deck import Deck
 from vmharness.deck.keywords.contact import CONTACT_AUTOMATIC_SURFACE_TO_SURFACE
 from vmharness.explicit.contact.build import Kind, add_contacts
+from vmharness.explicit.contact.supported import SEGMENTS, contact
 from vmharness.explicit.model.model import Model
 
 NAME = "automatic surface to surface"
 KIND = Kind(CONTACT_AUTOMATIC_SURFACE_TO_SURFACE, automatic=True, two_way=True)
+SUPPORTS = (contact(KIND, SEGMENTS, SEGMENTS),)
 
 
 def build(deck: Deck, model: Model) -> None:

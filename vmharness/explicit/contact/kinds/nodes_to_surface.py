@@ -12,10 +12,12 @@ deep.
 from vmharness.deck import Deck
 from vmharness.deck.keywords.contact import CONTACT_NODES_TO_SURFACE
 from vmharness.explicit.contact.build import Kind, add_contacts
+from vmharness.explicit.contact.supported import NODES, SEGMENTS, contact
 from vmharness.explicit.model.model import Model
 
 NAME = "nodes to surface"
 KIND = Kind(CONTACT_NODES_TO_SURFACE)
+SUPPORTS = (contact(KIND, NODES, SEGMENTS),)
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -9,11 +9,29 @@ from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.define.sd_orientation import DEFINE_SD_ORIENTATION
 from vmharness.deck.keywords.element.discrete import ELEMENT_DISCRETE
 from vmharness.deck.keywords.section.discrete import SECTION_DISCRETE
+from vmharness.deck.rule import above, among, at_least, no_effect, only
+from vmharness.deck.support import supports
 from vmharness.explicit.elements.discrete.part import ABOUT, ALONG, Discrete, Orientation
 from vmharness.explicit.materials import law_of
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part, parts
 from vmharness.explicit.model.state import Array
+
+SUPPORTS = (
+    supports(
+        ELEMENT_DISCRETE, n2=at_least(0), vid=at_least(0), s=above(0.0), pf=no_effect("of output alone")
+    ),
+    supports(
+        SECTION_DISCRETE,
+        dro=among(0, 1),
+        kd=only(0.0),  # a damping in proportion to the force: no bound of the stable step is known beforehand
+        v0=only(0.0, idle=lambda deck, entry: "" if entry.kd else "acts with KD"),
+        cl=at_least(0.0),
+        cdl=only(0.0),
+        tdl=only(0.0),
+    ),
+    supports(DEFINE_SD_ORIENTATION, iop=among(0, 1, 2, 3), nid1=at_least(0), nid2=at_least(0)),
+)
 
 
 def build(deck: Deck, model: Model) -> None:

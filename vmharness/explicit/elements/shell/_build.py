@@ -5,11 +5,69 @@ from collections.abc import Callable
 from vmharness.deck import Deck
 from vmharness.deck.keywords.control.shell import CONTROL_SHELL
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
+from vmharness.deck.keywords.section.shell import SECTION_SHELL
+from vmharness.deck.rule import above, among, at_least, no_effect, only, unless
+from vmharness.deck.support import supports
 from vmharness.explicit.elements.shell._parts import thickness
 from vmharness.explicit.elements.shell._shells import Shells
 from vmharness.explicit.materials import law_of
+from vmharness.explicit.model.contents import shells
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part
+
+SUPPORTS = (
+    supports(
+        SECTION_SHELL,
+        shrf=above(0.0),
+        nip=above(0),
+        propt=no_effect("of output alone"),
+        qr=only(0.0),
+        icomp=only(0),
+        setyp=only(1),
+        **{f"t{i}": at_least(0.0) for i in range(1, 5)},
+        nloc=only(0.0),
+        marea=only(0.0),
+        idof=only(0.0),
+        edgset=only(0),
+    ),
+    supports(
+        CONTROL_SHELL,
+        unless(shells, "the deck has no shells"),
+        wrpang=no_effect("of output alone"),
+        esort=among(0, 1),  # degenerate shells are C0 triangles always
+        irnxx=among(-2, -1, 0),  # fibre directions, of which ELFORM 2 has none
+        istupd=among(0, 1),
+        theory=only(2),
+        bwc=only(2),
+        miter=only(1),
+        proj=only(0),
+        rotascl=only(1.0),
+        intgrd=only(0),
+        lamsht=only(0),
+        cstyp6=no_effect("acts on shells of ELFORM 6"),
+        thshel=no_effect("of thermal analysis"),
+        pstupd=only(0),
+        sidt4tu=no_effect("of output alone"),
+        cntco=only(0),
+        itsflg=no_effect("acts on triangles of other formulations"),
+        irquad=no_effect("acts on quadratic shells"),
+        w_mode=only(0.0),
+        stretch=only(0.0),
+        icrq=only(0),
+        nfail1=only(0),
+        nfail4=only(0),
+        psnfail=only(0),
+        keepcs=no_effect("no shell fails"),
+        delfr=no_effect("no shell fails"),
+        drcpsid=only(0),
+        drcprm=no_effect("acts with DRCPSID"),
+        intperr=no_effect("of stresses that are read at the beginning"),
+        drcmth=no_effect("acts with DRCPSID"),
+        lispsid=only(0),
+        nlocdt=only(0),
+        iswshl=only(0),
+    ),
+)
 
 ELFORM = 2
 

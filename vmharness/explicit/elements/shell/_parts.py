@@ -7,9 +7,23 @@ import numpy as np
 from vmharness.deck import Deck
 from vmharness.deck.keywords.element.shell import ELEMENT_SHELL, ELEMENT_SHELL_THICKNESS
 from vmharness.deck.keywords.section.shell import SECTION_SHELL
+from vmharness.deck.rule import at_least, only
+from vmharness.deck.support import supports
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part, parts
 from vmharness.explicit.model.state import Array
+
+CONNECTIVITY = {"n4": at_least(0), **{f"n{i}": only(0) for i in range(5, 9)}}
+
+SUPPORTS = (
+    supports(ELEMENT_SHELL, **CONNECTIVITY),
+    supports(
+        ELEMENT_SHELL_THICKNESS,
+        **CONNECTIVITY,
+        **{f"thic{i}": at_least(0.0) for i in range(1, 5)},
+        beta=only(0.0),
+    ),
+)
 
 
 def shell_parts(deck: Deck, model: Model, corners: int) -> Iterator[Part]:

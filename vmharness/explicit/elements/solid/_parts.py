@@ -6,13 +6,46 @@ import numpy as np
 
 from vmharness.deck import Deck, DeckError, Entry
 from vmharness.deck.keywords.control.bulk_viscosity import CONTROL_BULK_VISCOSITY
+from vmharness.deck.keywords.control.solid import CONTROL_SOLID
 from vmharness.deck.keywords.element.solid import ELEMENT_SOLID
 from vmharness.deck.keywords.hourglass import HOURGLASS
 from vmharness.deck.keywords.section.solid import SECTION_SOLID
+from vmharness.deck.rule import at_least, no_effect, only, unless
+from vmharness.deck.support import supports
 from vmharness.explicit.elements.solid._gradient import measures
+from vmharness.explicit.model import contents
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part, parts
 from vmharness.explicit.model.state import Array
+
+SUPPORTS = (
+    supports(ELEMENT_SOLID, n9=only(0), n10=only(0)),
+    supports(SECTION_SOLID, aet=only(0), cohoff=only(0.0), gaskett=only(0.0)),
+    supports(
+        CONTROL_BULK_VISCOSITY,
+        q1=at_least(0.0),
+        q2=at_least(0.0),
+        type=only(1),
+        btype=only(0, idle=unless(contents.beams, "the deck has no beams")),
+        tstype=no_effect("acts on thick shells"),
+    ),
+    supports(
+        CONTROL_SOLID,
+        unless(contents.solids, "the deck has no solids"),
+        esort=only(0, idle=unless(contents.wedges, "no solid is degenerate")),
+        fmatrx=no_effect("another way to the same deformation gradient"),
+        niptets=no_effect("acts on tetrahedra"),
+        swlocl=no_effect("of output alone"),
+        psfail=only(0),
+        t10jtol=no_effect("acts on tetrahedra"),
+        icoh=no_effect("acts on cohesive elements"),
+        tet13k=no_effect("acts on tetrahedra"),
+        **{f"pm{i}": no_effect("acts on tetrahedra of ten nodes") for i in range(1, 11)},
+        tet13v=no_effect("acts on tetrahedra"),
+        rinrt=no_effect("acts on solids that can rotate"),
+        coheqc=no_effect("acts on cohesive elements"),
+    ),
+)
 
 Q1, Q2 = 1.5, 0.06
 ELFORMS = {1: "one point", 2: "fully integrated"}

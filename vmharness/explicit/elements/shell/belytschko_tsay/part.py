@@ -5,8 +5,11 @@ from functools import partial
 from typing import Any
 
 from vmharness.deck import Deck, Entry
+from vmharness.deck.error import each
 from vmharness.deck.keywords.control.hourglass import CONTROL_HOURGLASS
 from vmharness.deck.keywords.hourglass import HOURGLASS
+from vmharness.deck.rule import among, at_least, no_effect
+from vmharness.deck.support import supports
 from vmharness.explicit.elements.shell._build import add_part
 from vmharness.explicit.elements.shell._formulation import Formulation
 from vmharness.explicit.elements.shell._parts import shell_parts
@@ -20,7 +23,18 @@ from vmharness.explicit.elements.shell.belytschko_tsay.step import force, hourgl
 from vmharness.explicit.kernels.simd import by_element
 from vmharness.explicit.materials import Moduli
 from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.parts import Part
 from vmharness.explicit.model.state import Array, Index
+
+SUPPORTS = (
+    supports(CONTROL_HOURGLASS, ihq=among(*range(7)), qh=at_least(0.0)),
+    supports(
+        HOURGLASS,
+        ihq=among(*range(7)),
+        ibq=no_effect("is not used"),
+        **{name: at_least(0.0) for name in ("qm", "q1", "q2", "qb", "qw")},
+    ),
+)
 
 DEFAULT = 2  # hourglass type where IHQ is 0
 
@@ -61,8 +75,11 @@ class BelytschkoTsay(Shells):
 
 def build(deck: Deck, model: Model) -> None:
     """Add a force and the lumped mass for each part that has such shells."""
-    for part in shell_parts(deck, model, corners=4):
+
+    def add(part: Part) -> None:
         add_part(deck, model, part, "shells", partial(_shells, deck, part.part))
+
+    each(shell_parts(deck, model, corners=4), add)
 
 
 def _shells(deck: Deck, part: Entry, **given: Any) -> BelytschkoTsay:

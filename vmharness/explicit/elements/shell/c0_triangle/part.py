@@ -3,6 +3,7 @@
 from typing import Any
 
 from vmharness.deck import Deck
+from vmharness.deck.error import each
 from vmharness.explicit.elements.shell._build import add_part
 from vmharness.explicit.elements.shell._formulation import Formulation
 from vmharness.explicit.elements.shell._parts import shell_parts
@@ -12,6 +13,7 @@ from vmharness.explicit.elements.shell.c0_triangle.length import LENGTHS
 from vmharness.explicit.elements.shell.c0_triangle.mass import nodal_mass
 from vmharness.explicit.elements.shell.c0_triangle.step import force, no_hourglass, strain
 from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.parts import Part
 
 TRIANGLE = Formulation(nodal_mass, load_corners, LENGTHS, strain, no_hourglass, force)
 
@@ -25,5 +27,8 @@ class C0Triangle(Shells):
 
 def build(deck: Deck, model: Model) -> None:
     """Add a force and the lumped mass for each part that has such shells."""
-    for part in shell_parts(deck, model, corners=3):
+
+    def add(part: Part) -> None:
         add_part(deck, model, part, "triangles", C0Triangle)
+
+    each(shell_parts(deck, model, corners=3), add)

@@ -13,10 +13,12 @@ through its depth.
 """
 
 from vmharness.deck import Deck
+from vmharness.deck.error import each
 from vmharness.explicit.elements.solid._build import add_part
 from vmharness.explicit.elements.solid._parts import solid_parts
 from vmharness.explicit.elements.solid.full.step import POINTS, step
 from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.parts import Part
 
 NAME = "fully integrated hexahedron"
 
@@ -25,6 +27,9 @@ ELFORM = 2
 
 def build(deck: Deck, model: Model) -> None:
     """Add a force and the lumped mass for each part with *SECTION_SOLID ELFORM = 2."""
-    for part in solid_parts(deck, model, ELFORM):
+
+    def add(part: Part) -> None:
         if not part.rigid:
             add_part(deck, model, part, step, points=POINTS)
+
+    each(solid_parts(deck, model, ELFORM), add)

@@ -1,6 +1,7 @@
 """The deck's parts with *SECTION_SOLID ELFORM = 1 -> forces and masses of the model."""
 
 from vmharness.deck import Deck, Entry
+from vmharness.deck.error import each
 from vmharness.deck.keywords.control.hourglass import CONTROL_HOURGLASS
 from vmharness.deck.keywords.hourglass import HOURGLASS
 from vmharness.explicit.elements.solid._build import add_part
@@ -8,6 +9,7 @@ from vmharness.explicit.elements.solid._parts import solid_parts
 from vmharness.explicit.elements.solid.one_point.hourglass import Hourglass, moduli
 from vmharness.explicit.elements.solid.one_point.step import step
 from vmharness.explicit.model.model import Model
+from vmharness.explicit.model.parts import Part
 
 ELFORM = 1
 DEFAULT = 2  # hourglass type where IHQ is 0
@@ -15,9 +17,10 @@ DEFAULT = 2  # hourglass type where IHQ is 0
 
 def build(deck: Deck, model: Model) -> None:
     """Add a force and the lumped mass for each such part."""
-    for part in solid_parts(deck, model, ELFORM):
+
+    def add(part: Part) -> None:
         if part.rigid:
-            continue
+            return
         control = _hourglass(deck, part.part)
         modulus = part.moduli.longitudinal
         add_part(
@@ -28,6 +31,8 @@ def build(deck: Deck, model: Model) -> None:
             resistance=moduli(model.x0[part.nodes], part.density, modulus, control),
             hourglass=(control.viscous, control.projected),
         )
+
+    each(solid_parts(deck, model, ELFORM), add)
 
 
 def _hourglass(deck: Deck, part: Entry) -> Hourglass:

@@ -1,0 +1,163 @@
+"""`vm check` of a deck file: one list of all that is wrong, in one go."""
+
+import json
+
+import pytest
+
+# An export of a pre-processor: five keywords that nobody here knows, ten values that are not supported.
+EXPORT = """*KEYWORD
+*TITLE
+a plate
+*CONTROL_TERMINATION
+1.0,0,0.0,5.0
+*CONTROL_TIMESTEP
+0.0,0.9,3,,,,1
+*CONTROL_ACCURACY
+0,4
+*CONTROL_BULK_VISCOSITY
+1.5,0.06,-2
+*CONTROL_IMPLICIT_GENERAL
+1
+*DATABASE_NODOUT
+0.1
+*DATABASE_SBTOUT
+0.1
+*NODE
+1,0.0,0.0,0.0
+2,1.0,0.0,0.0
+3,1.0,1.0,0.0
+4,0.0,1.0,0.0,8
+*ELEMENT_SHELL
+1,1,1,2,3,4
+*PART
+plate
+1,1,1,5
+*SECTION_SHELL
+1,2,,,,-7
+0.1,,,,0.5
+*MAT_ELASTIC
+1,7800.0,2e11,0.3,0.1
+*MAT_FABRICS
+2,1.0
+*MAT_ELASTICK
+3,1.0
+*BOUNDARY_SPC_NODE
+1,7,1
+*LOAD_NODE_POINT
+2,4,9
+*CONTACT_TIED_SHELL_EDGE
+1,2
+*CONTROL_SOLID
+1
+"""
+
+
+@pytest.fixture
+def export(tmp_path):
+    """Write the deck, changed or not."""
+
+    def write(text=EXPORT):
+        path = tmp_path / "export.k"
+        path.write_text(text)
+        return path
+
+    return write
+
+
+def lines_of(out):
+    """The findings, put together again."""
+    found, group = {}, ""
+    for line in out.splitlines():
+        if line.startswith("      "):
+            found[group][-1] += " " + line.strip()
+        elif line.startswith("    "):
+            found[group].append(line.strip())
+        elif line.startswith("  "):
+            group = line.strip().rstrip(":")
+            found[group] = []
+    return found
+
+
+def test_one_list_has_everything(vm, export):
+    path = export()
+    code, out, _ = vm("check", str(path))
+    assert code == 4
+    assert all(len(line) <= 80 for line in out.splitlines()[1:])
+    assert out.splitlines()[0] == f"{path}: wrong"
+    found = lines_of(out)
+    assert found["not supported"] == [
+        "export.k:5: *CONTROL_TERMINATION: ENDENG = 5.0: only 0.0 is supported",
+        "export.k:7: *CONTROL_TIMESTEP: ISDO = 3: only 0, 1 and 2 are supported",
+        "export.k:9: *CONTROL_ACCURACY: INN = 4: only 1 is supported",
+        "export.k:11: *CONTROL_BULK_VISCOSITY: TYPE = -2: only 1 is supported",
+        "export.k:12: *CONTROL_IMPLICIT_GENERAL: unknown keyword",
+        "export.k:16: *DATABASE_SBTOUT: unknown keyword; did you mean *DATABASE_SLEOUT?",
+        "export.k:22: *NODE: TC = 8: only 0, 1, 2, 3, 4, 5, 6 and 7 are supported",
+        "export.k:27: *PART: EOSID = 5: only 0 is supported",
+        "export.k:29: *SECTION_SHELL: QR = -7.0: only 0.0 is supported",
+        "export.k:30: *SECTION_SHELL: NLOC = 0.5: only 0.0 is supported",
+        "export.k:32: *MAT_ELASTIC: DA = 0.1: only 0.0 is supported",
+        "export.k:33: *MAT_FABRICS: unknown keyword",
+        "export.k:35: *MAT_ELASTICK: unknown keyword; did you mean *MAT_ELASTIC?",
+        "export.k:38: *BOUNDARY_SPC_NODE: CID = 7: only 0 is supported",
+        "export.k:40: *LOAD_NODE_POINT: DOF = 4: only 1, 2, 3, 5, 6 and 7 are supported",
+        "export.k:40: *LOAD_NODE_POINT: LCID = 9: no *DEFINE_CURVE with LCID = 9; defined: none",
+        "export.k:41: *CONTACT_TIED_SHELL_EDGE: unknown keyword",
+    ]
+    assert found["has no effect here"] == [
+        "export.k:2: *TITLE: a name; no effect on results.",
+        "export.k:7: *CONTROL_TIMESTEP: ERODE = 1: nothing is eroded without DTMIN",
+        "export.k:8: *CONTROL_ACCURACY: the stress update is always of second order (OSU = 1).",
+        "export.k:14: *DATABASE_NODOUT: asks for output files; no effect on results.",
+        "export.k:44: *CONTROL_SOLID: ESORT = 1: no solid is degenerate",
+    ]
+
+
+def test_what_is_ill_formed_stands_first_and_the_rest_beside_it(vm, export):
+    code, out, _ = vm("check", str(export(EXPORT.replace("1,7800.0,2e11", "1,x,2e11"))))
+    assert code == 4
+    found = lines_of(out)
+    assert list(found) == ["ill-formed", "not supported", "has no effect here"]
+    assert found["ill-formed"] == ["export.k:32: *MAT_ELASTIC: RO = x: not a number"]
+    assert len(found["not supported"]) == 16
+    assert not [line for line in found["not supported"] if "RO =" in line]
+
+
+GOOD = """*KEYWORD
+*TITLE
+a mass
+*CONTROL_TERMINATION
+1.0
+*NODE
+1,0.0,0.0,0.0
+*ELEMENT_MASS
+1,1,1.0
+*END
+"""
+
+
+def test_a_deck_that_can_run_is_ok_and_what_has_no_effect_is_said(vm, export, tmp_path):
+    path = export(GOOD)
+    code, out, _ = vm("check", str(path), "--solver", "builtin", "--json", str(tmp_path / "found.json"))
+    assert code == 0
+    assert out.splitlines() == [
+        f"{path}: ok",
+        "  has no effect here:",
+        "    export.k:2: *TITLE: a name; no effect on results.",
+    ]
+    (found,) = json.loads((tmp_path / "found.json").read_text())
+    assert found["deck"] == str(path)
+    assert found["not supported"] == []
+
+
+def test_solve_refuses_with_the_whole_list(vm, export):
+    code, _, err = vm("solve", str(export()))
+    assert code == 4
+    assert len(err.splitlines()) == 17
+    assert "Traceback" not in err
+
+
+def test_a_deck_beside_cases(vm, export, tmp_path):
+    code, out, _ = vm("check", str(export(GOOD)), "no-such-case")
+    assert "export.k: ok" in out
+    assert code == 5

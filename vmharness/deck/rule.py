@@ -1,0 +1,75 @@
+"""What a solver can do with the values of a field: rules for support.py, for numbers, texts and whole columns."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from vmharness.deck.deck import Deck
+from vmharness.deck.entry import Entry
+
+Why = Callable[[Deck, Entry], str]  # why a value has no effect in this deck; empty where it has
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """`allows(values)`: for each value whether it can be done; `what` says which can, `brief` lists them if few can.
+
+    `idle`: why a value that is not the default has no effect in a deck, where that is so; then it is allowed, too.
+    """
+
+    allows: Callable[[Any], Any]
+    what: str
+    brief: str
+    idle: Why | None = None
+
+
+def among(*values: Any, idle: Why | None = None, what: str = "") -> Rule:
+    """These values alone; `what` replaces the sentence that lists them.
+
+    >>> among(0, 1, 2).what, among("MECH").what
+    ('only 0, 1 and 2 are supported', 'only MECH is supported')
+    """
+    *others, last = map(str, values)
+    sentence = f"only {', '.join(others)} and {last} are supported" if others else f"only {last} is supported"
+    brief = f"only {', '.join(map(str, values))}"
+    return Rule(lambda found: np.isin(found, values), what or sentence, brief, idle)
+
+
+def only(value: Any, idle: Why | None = None, what: str = "") -> Rule:
+    """One value alone."""
+    return among(value, idle=idle, what=what)
+
+
+def above(limit: float, idle: Why | None = None, what: str = "") -> Rule:
+    """Values greater than `limit`."""
+    sentence = what or f"must be greater than {limit:g}"
+    return Rule(lambda found: np.greater(found, limit), sentence, "", idle)
+
+
+def at_least(limit: float, idle: Why | None = None, what: str = "") -> Rule:
+    """Values not less than `limit`."""
+    sentence = what or f"must be at least {limit:g}"
+    return Rule(lambda found: np.greater_equal(found, limit), sentence, "", idle)
+
+
+def between(low: float, high: float) -> Rule:
+    """Values greater than `low` and less than `high`."""
+    sentence = f"must lie between {low:g} and {high:g}"
+    return Rule(lambda found: np.logical_and(found > low, found < high), sentence, "")
+
+
+def anything(idle: Why) -> Rule:
+    """Any value, though it may have no effect."""
+    return Rule(lambda found: np.ones(np.shape(found), bool), "", "", idle)
+
+
+def no_effect(sentence: str) -> Rule:
+    """Any value: none has an effect, as the sentence says."""
+    return anything(lambda deck, entry: sentence)
+
+
+def unless(condition: Callable[[Deck], Any], sentence: str) -> Why:
+    """No effect, as the sentence says, unless the deck has what `condition` looks for."""
+    return lambda deck, entry: "" if condition(deck) else sentence
