@@ -15,18 +15,19 @@ from vmharness.deck.finding import Finding, in_order, refuse_unsupported, unsupp
 from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.deck.keywords.node import NODE
-from vmharness.explicit.constraints import prescribed_motion, prescribed_motion_rigid, spc
+from vmharness.explicit.constraints import prescribed_motion, spc
 from vmharness.explicit.contact import build as contacts
 from vmharness.explicit.damping import mass as mass_damping
 from vmharness.explicit.damping import stiffness as stiffness_damping
 from vmharness.explicit.initial import velocity
-from vmharness.explicit.kernels.threads import ncpu
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import State
+from vmharness.explicit.model.rigid_bodies import body_numbers
 from vmharness.explicit.rigid import build as rigid_bodies
 from vmharness.explicit.rigid import element_mass
-from vmharness.explicit.rigid.definitions import body_numbers
+from vmharness.explicit.rigid import prescribed_motion as prescribed_motion_rigid
+from vmharness.explicit.state import State
 from vmharness.explicit.supported import review_cards
+from vmharness.explicit.threads import ncpu
 from vmharness.explicit.timestep import limits, mass_scaling
 from vmharness.explicit.walls import planar
 from vmharness.mesh.nodes import nodes_of

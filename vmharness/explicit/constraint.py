@@ -2,7 +2,7 @@
 
 from typing import Protocol
 
-from vmharness.explicit.model.state import Array, Flags, State
+from vmharness.explicit.state import Array, Flags, State
 
 
 class Constraint(Protocol):

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.force import Force
 from vmharness.explicit.kernels.compiled import kernel
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.state import Array, State
 
 # Energies that are stored or dissipated. With the kinetic energy they are the total energy.
 STORED = (

@@ -1,6 +1,6 @@
 """The error that ends a run."""
 
-from vmharness.explicit.model.state import State
+from vmharness.explicit.state import State
 
 
 class SolverError(Exception):

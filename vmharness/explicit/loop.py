@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from vmharness.explicit.energy import Balance
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.kernels import integrate
-from vmharness.explicit.kernels.threads import ThreadPool
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import State
+from vmharness.explicit.state import State
+from vmharness.explicit.threads import ThreadPool
 
 MOST_CYCLES = 1e11  # a step with which the run would take more cycles counts as vanished
 BALANCE_EVERY = 50  # cycles between two checks of the energy balance

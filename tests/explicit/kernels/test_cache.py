@@ -17,7 +17,7 @@ STRETCH = """
 import numpy as np
 from vmharness.explicit.elements.shell.belytschko_tsay import BelytschkoTsay
 from vmharness.explicit.materials import Moduli, elastic
-from vmharness.explicit.model.state import State
+from vmharness.explicit.state import State
 x = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
 v = np.zeros((4, 3))
 v[1:3, 0] = 1e-3

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 from vmharness.deck import DeckError
 from vmharness.explicit.build import build
 from vmharness.explicit.materials import spring_elastoplastic
+from vmharness.explicit.materials._characteristic import ordinate
 from vmharness.explicit.materials.spring_elastoplastic import ElastoplasticSpring
-from vmharness.explicit.model.characteristic import ordinate
 
 K, KT, FY = 100.0, 20.0, 5.0
 HARDENING = K * KT / (K - KT)

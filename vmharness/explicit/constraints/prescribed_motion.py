@@ -27,7 +27,7 @@ from vmharness.deck.support import supports
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, Index, State
+from vmharness.explicit.state import Array, Index, State
 from vmharness.mesh.dof import place
 from vmharness.mesh.sets import node_set
 from vmharness.mesh.supports import supported

@@ -9,7 +9,7 @@ from vmharness.deck.rule import among, only
 from vmharness.deck.support import supports
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, Flags, Index, State
+from vmharness.explicit.state import Array, Flags, Index, State
 from vmharness.mesh.supports import supported
 
 CODE = among(*range(8))

@@ -25,7 +25,7 @@ from vmharness.explicit.contact.records import (
 )
 from vmharness.explicit.contact.search import find_candidates, mean_size
 from vmharness.explicit.contact.tracking_simd import buffers
-from vmharness.explicit.model.state import State
+from vmharness.explicit.state import State
 
 MARGIN = 0.3  # of the size of a segment; a wider one sorts less often, and leaves more candidates to test
 CYCLES = 8  # that a sort suffices for at least

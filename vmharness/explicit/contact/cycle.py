@@ -17,7 +17,7 @@ from vmharness.explicit.contact.tracking import track
 from vmharness.explicit.contact.tracking_simd import track_settled
 from vmharness.explicit.kernels.compiled import uncounted
 from vmharness.explicit.kernels.vector import Vector, dot, inlined, subtract
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 REACH = 1.01  # so that round-off does not hide a node that begins to move from the surface itself
 

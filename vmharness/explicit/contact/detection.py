@@ -18,7 +18,7 @@ from vmharness.explicit.contact.search import bounding_box, distance_to_box
 from vmharness.explicit.contact.tracking import track
 from vmharness.explicit.kernels.compiled import uncounted
 from vmharness.explicit.kernels.vector import Vector, dot, scale, subtract
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 ROUND_OFF = 1e-9  # of a segment: in the first cycle, a node that is behind by no more is in contact
 BEHIND = 0.01  # of the change of the gap: a node that was behind by no more at t_{n-1} was so by round-off

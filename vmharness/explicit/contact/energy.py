@@ -16,7 +16,7 @@ from vmharness.explicit.contact.kinematics import relative, transport_velocity
 from vmharness.explicit.contact.records import CONTACT, FRICTION, RELEASED, Record, Records, vector_of
 from vmharness.explicit.kernels.compiled import uncounted
 from vmharness.explicit.kernels.vector import Vector, add, dot, inlined, scale, subtract
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 @inlined

@@ -36,7 +36,7 @@ from vmharness.explicit.contact.geometry import Corners, Weights, shape
 from vmharness.explicit.contact.kinematics import moment_balance, relative, transport_velocity
 from vmharness.explicit.contact.records import CONTACT, FORCE, Record, Records, vector_of
 from vmharness.explicit.kernels.vector import Vector, add, dot, inlined, scale, subtract
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 @inlined

@@ -24,7 +24,7 @@ from vmharness.explicit.kernels.vector import (
     subtract,
     unit,
 )
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 @uncounted

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.explicit.kernels.vector import Vector, add, cross, dot, inlined, scale, subtract, unit
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 Corners: TypeAlias = tuple[Vector, Vector, Vector, Vector]
 Weights: TypeAlias = tuple[float, float, float, float]

@@ -19,7 +19,7 @@ from vmharness.explicit.contact.search import find_candidates, mean_size
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.vector import dot, scale
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 def treat_initial_penetrations(

@@ -13,7 +13,7 @@ this in the relative velocity, the power of friction is that of all nodal forces
 from vmharness.explicit.contact.geometry import Corners, Weights, at, at_time, corners, interpolate
 from vmharness.explicit.contact.records import Record
 from vmharness.explicit.kernels.vector import Vector, add, cross, dot, inlined, scale, subtract
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 @inlined

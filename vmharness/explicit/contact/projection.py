@@ -18,7 +18,7 @@ from vmharness.explicit.contact.geometry import (
 )
 from vmharness.explicit.contact.records import Record
 from vmharness.explicit.kernels.vector import Vector, add, cross, dot, inlined, scale, subtract, unit
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 ITERATIONS = 20
 CONVERGED = 1e-13  # in xi and eta

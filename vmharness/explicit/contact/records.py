@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.explicit.kernels.vector import Vector, inlined
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 Index: TypeAlias = NDArray[np.intp]
 Records: TypeAlias = NDArray[np.void]

@@ -10,7 +10,7 @@ from vmharness.explicit.contact.geometry import at
 from vmharness.explicit.contact.records import Index, Record, Records
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.vector import Vector, inlined
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 @inlined

@@ -14,7 +14,7 @@ from vmharness.explicit.contact.surface.nodal import nodal_area, nodal_penalty, 
 from vmharness.explicit.contact.surface.orient import faces_away, turned
 from vmharness.explicit.contact.thickness import capped, contact_thickness, release_depth
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, Index
+from vmharness.explicit.state import Array, Index
 from vmharness.mesh.surface import ALL, SEGMENT_SET
 
 SEGMENTS_STIFFNESS = 2  # PENOPT

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.explicit.contact.contact import OneWay
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 def longest_step(one: OneWay, mass: Array, held: NDArray[np.bool_]) -> float:

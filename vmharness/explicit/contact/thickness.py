@@ -20,7 +20,7 @@ import numpy as np
 
 from vmharness.deck import Entry
 from vmharness.explicit.contact.surface.facets import Facets, diagonals
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 CAP = 0.4
 RELEASE_OF_SHELL, RELEASE_OF_SOLID = 0.4, 0.5

@@ -12,7 +12,7 @@ import numpy as np
 
 from vmharness.explicit.kernels.compiled import specialise, to_be_bound
 from vmharness.explicit.kernels.vector import inlined
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 law = to_be_bound("law")
 VARIABLES = to_be_bound("VARIABLES")  # history variables of the law

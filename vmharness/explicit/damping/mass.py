@@ -25,7 +25,7 @@ from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import masses_of_parts
-from vmharness.explicit.model.state import Array, Flags, Index, State
+from vmharness.explicit.state import Array, Flags, Index, State
 from vmharness.mesh.sets import nodes_of_parts
 
 SUPPORTS = (

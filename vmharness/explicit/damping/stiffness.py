@@ -33,7 +33,7 @@ from vmharness.deck.keywords.part import PART
 from vmharness.deck.support import supports
 from vmharness.explicit.force import Dampable, Elements
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 SUPPORTS = (supports(DAMPING_PART_STIFFNESS),)
 

@@ -19,7 +19,7 @@ from vmharness.deck.keywords.part import PART
 from vmharness.deck.rule import among, at_least, only
 from vmharness.deck.support import supports
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, Index
+from vmharness.explicit.state import Array, Index
 from vmharness.mesh.sets import node_set, nodes_of_parts, part_set
 
 SUPPORTS = (

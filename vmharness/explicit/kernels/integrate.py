@@ -1,7 +1,7 @@
 """The updates of the time loop over all nodes, as kernels. Arrays are (n, 3), inverse masses (n,)."""
 
 from vmharness.explicit.kernels.compiled import concurrent, kernel
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 @kernel

@@ -23,7 +23,7 @@ arising in large-deformation analysis, International Journal for Numerical Metho
 import math
 
 from vmharness.explicit.kernels.vector import Vector, add, combine, cross, dot, inlined, scale
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 Triad = tuple[Vector, Vector, Vector]
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.vector import Vector, inlined
-from vmharness.explicit.model.state import Array, Index
+from vmharness.explicit.state import Array, Index
 
 LANES = 16  # LLVM does not vectorise shorter loops if it has to check whether arrays overlap
 

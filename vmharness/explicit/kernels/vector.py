@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 from vmharness.explicit.kernels.compiled import inlined as inlined
 from vmharness.explicit.kernels.compiled import inlined_counted as inlined_counted
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 Vector: TypeAlias = tuple[float, float, float]
 

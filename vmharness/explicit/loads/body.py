@@ -29,7 +29,7 @@ from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.sets import masses_of_parts
-from vmharness.explicit.model.state import Array, Index, State
+from vmharness.explicit.state import Array, Index, State
 from vmharness.mesh.sets import nodes_of_parts, part_set
 
 NAME = "body load"

@@ -16,8 +16,8 @@ from vmharness.deck.support import supports
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, Index, State
-from vmharness.explicit.rigid.definitions import lead_number
+from vmharness.explicit.model.rigid_bodies import lead_number
+from vmharness.explicit.state import Array, Index, State
 from vmharness.mesh.dof import place
 from vmharness.mesh.sets import node_set
 

@@ -23,7 +23,7 @@ from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.vector import Vector, add, cross, row, scale, subtract
 from vmharness.explicit.model.curve import Curve, time_curve
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, Index, State
+from vmharness.explicit.state import Array, Index, State
 
 PRESSURE = {"lcid": above(0), "at": at_least(0.0)}
 

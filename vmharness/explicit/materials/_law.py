@@ -19,7 +19,7 @@ from typing import Any, NamedTuple, Protocol, TypeAlias, cast
 
 from vmharness import plugins
 from vmharness.deck import Deck, Entry, Keyword
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 FOLDER = "vmharness.explicit.materials"
 

@@ -10,8 +10,8 @@ from vmharness.deck.keywords.mat.damper_nonlinear_viscous import MAT_DAMPER_NONL
 from vmharness.deck.rule import above
 from vmharness.deck.support import supports
 from vmharness.explicit.kernels.vector import inlined
-from vmharness.explicit.model.characteristic import Characteristic, characteristic, ordinate, steepest
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.materials._characteristic import Characteristic, characteristic, ordinate, steepest
+from vmharness.explicit.state import Array
 
 SUPPORTS = (supports(MAT_DAMPER_NONLINEAR_VISCOUS, lcdr=above(0)),)
 

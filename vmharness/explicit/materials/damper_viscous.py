@@ -11,7 +11,7 @@ from vmharness.deck.keywords.mat.damper_viscous import MAT_DAMPER_VISCOUS
 from vmharness.deck.rule import at_least
 from vmharness.deck.support import supports
 from vmharness.explicit.kernels.vector import inlined
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 SUPPORTS = (supports(MAT_DAMPER_VISCOUS, dc=at_least(0.0)),)
 

@@ -8,7 +8,7 @@ from vmharness.deck.rule import above, between, only
 from vmharness.deck.support import supports
 from vmharness.explicit.kernels.vector import inlined
 from vmharness.explicit.materials._law import Moduli
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 KEYWORD = MAT_ELASTIC
 HISTORY = {"plane_stress": 0, "solid": 0, "uniaxial": 0}

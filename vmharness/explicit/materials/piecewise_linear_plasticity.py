@@ -26,7 +26,7 @@ from vmharness.explicit.materials._plasticity.rate import Rate, cowper_symonds
 from vmharness.explicit.materials._plasticity.solid import solid
 from vmharness.explicit.materials._plasticity.uniaxial import uniaxial
 from vmharness.explicit.materials.elastic import density, moduli
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 SUPPORTS = (
     supports(

@@ -7,7 +7,7 @@ from vmharness.deck.keywords.mat.spring_elastic import MAT_SPRING_ELASTIC
 from vmharness.deck.rule import at_least
 from vmharness.deck.support import supports
 from vmharness.explicit.kernels.vector import inlined
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 SUPPORTS = (supports(MAT_SPRING_ELASTIC, k=at_least(0.0)),)
 

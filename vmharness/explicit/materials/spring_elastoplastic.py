@@ -15,7 +15,7 @@ from vmharness.deck.keywords.mat.spring_elastoplastic import MAT_SPRING_ELASTOPL
 from vmharness.deck.rule import above, at_least
 from vmharness.deck.support import supports
 from vmharness.explicit.kernels.vector import inlined
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 SUPPORTS = (supports(MAT_SPRING_ELASTOPLASTIC, k=above(0.0), kt=at_least(0.0), fy=above(0.0)),)
 

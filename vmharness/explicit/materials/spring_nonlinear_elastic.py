@@ -13,8 +13,8 @@ from vmharness.deck.keywords.mat.spring_nonlinear_elastic import MAT_SPRING_NONL
 from vmharness.deck.rule import above, only
 from vmharness.deck.support import supports
 from vmharness.explicit.kernels.vector import inlined
-from vmharness.explicit.model.characteristic import Characteristic, characteristic, ordinate, steepest
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.materials._characteristic import Characteristic, characteristic, ordinate, steepest
+from vmharness.explicit.state import Array
 
 SUPPORTS = (supports(MAT_SPRING_NONLINEAR_ELASTIC, lcd=above(0), lcr=only(0)),)
 

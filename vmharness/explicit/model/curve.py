@@ -6,7 +6,7 @@ from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.define.curve import DEFINE_CURVE, points
 from vmharness.deck.rule import no_effect, only
 from vmharness.deck.support import supports
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 SUPPORTS = (
     supports(DEFINE_CURVE, sidr=only(0), dattyp=only(0), lcint=no_effect("curves are used as they are")),

@@ -10,7 +10,7 @@ import numpy as np
 from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.energy import KineticEnergy
 from vmharness.explicit.force import Elements, Force
-from vmharness.explicit.model.state import Array, Index, State
+from vmharness.explicit.state import Array, Index, State
 from vmharness.mesh.nodes import Nodes
 
 

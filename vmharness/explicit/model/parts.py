@@ -12,10 +12,10 @@ from vmharness.deck.keywords.mat.rigid import MAT_RIGID
 from vmharness.deck.keywords.part import PART
 from vmharness.deck.rule import above, among, at_least, no_effect, only
 from vmharness.deck.support import supports
-from vmharness.explicit.kernels.threads import shares
 from vmharness.explicit.materials import Moduli, continuum_law, material_of
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Index
+from vmharness.explicit.state import Index
+from vmharness.explicit.threads import shares
 
 SUPPORTS = (
     supports(

@@ -8,8 +8,8 @@ from vmharness.deck.keywords.set.part import SET_PART_LIST
 from vmharness.deck.rule import among, only
 from vmharness.deck.support import supports
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Index
-from vmharness.explicit.rigid.definitions import body_numbers
+from vmharness.explicit.model.rigid_bodies import body_numbers
+from vmharness.explicit.state import Index
 from vmharness.mesh.sets import nodes_of_parts
 
 MECHANICS = {"solver": only("MECH")}

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 Probe = Callable[[], float]
 

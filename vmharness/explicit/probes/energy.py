@@ -5,8 +5,8 @@ from vmharness.explicit.energy import STORED, accounts, stored
 from vmharness.explicit.energy import ratio as ratio_of
 from vmharness.explicit.force import Elements, Force
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array
 from vmharness.explicit.probes._quantity import Probe, choose
+from vmharness.explicit.state import Array
 
 
 def of_energy(model: Model, energy: str, part: int | None = None) -> Probe:

@@ -6,9 +6,9 @@ import numpy as np
 
 from vmharness.explicit.force import Scalable
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array
 from vmharness.explicit.probes._quantity import Probe, ProbeError, choose, of_point, split
 from vmharness.explicit.rigid.constraints import RigidBodies
+from vmharness.explicit.state import Array
 
 
 def of_node(model: Model, node: int, component: str) -> Probe:

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.kernels.rotation import rotation_matrix
-from vmharness.explicit.model.state import Array, Flags, Index, State
 from vmharness.explicit.rigid.integrate import (
     accelerate_nodes,
     angular_response,
@@ -17,6 +16,7 @@ from vmharness.explicit.rigid.integrate import (
     mid_step_velocity,
     move_nodes,
 )
+from vmharness.explicit.state import Array, Flags, Index, State
 
 LARGEST_ANGLE = 1.0  # of a step
 

@@ -12,8 +12,7 @@ from vmharness.deck.keywords.constrained.extra_nodes import (
 from vmharness.deck.keywords.constrained.rigid_bodies import CONSTRAINED_RIGID_BODIES
 from vmharness.deck.keywords.part import PART, has_inertia
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Flags, Index
-from vmharness.explicit.rigid.definitions import (
+from vmharness.explicit.model.rigid_bodies import (
     body_number,
     body_numbers,
     definitions,
@@ -23,6 +22,7 @@ from vmharness.explicit.rigid.definitions import (
     lead_number,
 )
 from vmharness.explicit.rigid.inertia import Inertia, inertia_of_card, inertia_of_points, lever_arms
+from vmharness.explicit.state import Flags, Index
 from vmharness.mesh.sets import node_set, nodes_of_parts
 
 ON_AXIS = 1e-3  # of the distance of the farthest node: a nearer node is on the axis, as cards have few digits

@@ -10,9 +10,7 @@ import numpy as np
 from vmharness.deck import Deck
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.damping.mass import MassDamping
-from vmharness.explicit.initial.rigid_body import body_velocities
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, Flags, Index
 from vmharness.explicit.rigid.bodies import Bodies
 from vmharness.explicit.rigid.body import RigidBody, body_inertia, find_bodies
 from vmharness.explicit.rigid.check import (
@@ -23,8 +21,10 @@ from vmharness.explicit.rigid.check import (
 )
 from vmharness.explicit.rigid.constraints import BodyForces, Drive, RigidBodies
 from vmharness.explicit.rigid.inertia import Inertia, principal_axes, quaternion
+from vmharness.explicit.rigid.initial_velocity import body_velocities
 from vmharness.explicit.rigid.joint_cards import build_joints
 from vmharness.explicit.rigid.mass_shares import share_body_mass, share_lumped_mass
+from vmharness.explicit.state import Array, Flags, Index
 
 LISTED = 10  # bodies whose mass and inertia are facts of the run; of more bodies only the number is
 

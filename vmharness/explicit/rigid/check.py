@@ -7,9 +7,9 @@ from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.damping.mass import MassDamping
 from vmharness.explicit.loads.body import BodyLoad, Centrifugal
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array
 from vmharness.explicit.rigid.body import RigidBody
 from vmharness.explicit.rigid.joint_cards import joint_entries
+from vmharness.explicit.state import Array
 from vmharness.explicit.timestep.mass_scaling import MassScaling
 
 

@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vmharness.explicit.model.state import Array, Flags, State
 from vmharness.explicit.rigid.bodies import Bodies
 from vmharness.explicit.rigid.joints import Joints
+from vmharness.explicit.state import Array, Flags, State
 
 
 class Drive(NamedTuple):

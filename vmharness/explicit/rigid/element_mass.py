@@ -10,7 +10,7 @@ from vmharness.deck import Deck
 from vmharness.explicit.elements import beam, shell, solid
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 def build(deck: Deck, model: Model) -> None:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vmharness.deck import Entry
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 ROUND_OFF = 1e-12  # of the largest: a smaller principal moment is zero, as that of a line of points
 DIGITS = 1e-4  # of the largest: a field of ten columns may hold no more than five digits of a number

@@ -13,8 +13,8 @@ import numpy as np
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.rotation import rotate_orientation, rotated_axes, rotation_matrix
 from vmharness.explicit.kernels.vector import add, combine, cross, dot, row, scale, set_row, subtract
-from vmharness.explicit.model.state import Array, Flags, Index
 from vmharness.explicit.rigid.mobility import conditioned_product, principal_product
+from vmharness.explicit.state import Array, Flags, Index
 
 ITERATIONS = 60  # the angle of a step is below 1, and each iteration gains at least one binary digit
 ROUND_OFF = 4e-16

@@ -7,9 +7,9 @@ from vmharness.deck.keywords.constrained.joint import CONSTRAINED_JOINT_REVOLUTE
 from vmharness.deck.rule import no_effect, only
 from vmharness.deck.support import supports
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, Index
 from vmharness.explicit.rigid.bodies import Bodies
 from vmharness.explicit.rigid.joints import Joints, Pair
+from vmharness.explicit.state import Array, Index
 
 PENALTY = {name: no_effect("acts on joints by penalty") for name in ("rps", "damp")}
 FURTHER = {"n5": only(0), "n6": only(0), **PENALTY}

@@ -13,8 +13,8 @@ import numpy as np
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.rotation import rotated_axes, rotation_matrix
 from vmharness.explicit.kernels.vector import add, combine, cross, dot, row, scale, set_row, subtract
-from vmharness.explicit.model.state import Array, Flags, Index
 from vmharness.explicit.rigid.mobility import condition_on, set_mobility
+from vmharness.explicit.state import Array, Flags, Index
 
 
 @kernel

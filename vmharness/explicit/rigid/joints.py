@@ -18,7 +18,6 @@ from typing import NamedTuple
 import numpy as np
 
 from vmharness.explicit.error import SolverError
-from vmharness.explicit.model.state import Array, State
 from vmharness.explicit.rigid.bodies import Bodies
 from vmharness.explicit.rigid.joint_equations import (
     apply_multipliers,
@@ -26,6 +25,7 @@ from vmharness.explicit.rigid.joint_equations import (
     end_gaps,
     relative_acceleration,
 )
+from vmharness.explicit.state import Array, State
 
 ITERATIONS = 30
 ROUND_OFF = 1e-14  # of the forces, and of the arms

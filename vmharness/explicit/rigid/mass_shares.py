@@ -21,8 +21,8 @@ import numpy as np
 from vmharness.explicit.contact.contact import Contact
 from vmharness.explicit.elements.discrete.part import Discrete
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, Flags
 from vmharness.explicit.rigid.bodies import Bodies
+from vmharness.explicit.state import Array, Flags
 
 
 def share_body_mass(model: Model, bodies: Bodies) -> None:

@@ -12,7 +12,7 @@ once for each such component. Row and column i of J are then zero: momentum abou
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.rotation import Triad
 from vmharness.explicit.kernels.vector import Vector, combine, components, inlined
-from vmharness.explicit.model.state import Array, Flags
+from vmharness.explicit.state import Array, Flags
 
 
 @inlined

@@ -12,7 +12,7 @@ from vmharness.explicit.elements.discrete.part import Discrete
 from vmharness.explicit.force import Elements, Scalable
 from vmharness.explicit.model.curve import time_curve
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 def add_caps(deck: Deck, model: Model) -> None:

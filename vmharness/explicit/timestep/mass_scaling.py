@@ -30,7 +30,7 @@ from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.force import Elements, Scalable
 from vmharness.explicit.model.contents import shells, solids
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, Flags, State
+from vmharness.explicit.state import Array, Flags, State
 
 
 def _no_scaling(deck: Deck, entry: Entry) -> str:

@@ -7,7 +7,7 @@ import numpy as np
 
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.vector import Vector
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 NORMAL, EDGE_L, EDGE_M, LENGTHS = 1, 2, 3, 4
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.vector import Vector, add, dot, inlined, row, scale, subtract
-from vmharness.explicit.model.state import Array, Flags, Index
+from vmharness.explicit.state import Array, Flags, Index
 from vmharness.explicit.walls.face import NORMAL, coordinate, covers
 
 

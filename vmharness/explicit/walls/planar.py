@@ -15,8 +15,8 @@ from vmharness.deck.rule import above, at_least, no_effect, only
 from vmharness.deck.support import supports
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, Flags, Index
 from vmharness.explicit.rigid.body import find_bodies
+from vmharness.explicit.state import Array, Flags, Index
 from vmharness.explicit.walls.face import NORMAL, covers, face_of
 from vmharness.explicit.walls.wall import PlanarWall
 from vmharness.mesh.sets import node_set

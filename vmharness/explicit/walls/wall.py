@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from vmharness.explicit.model.state import Array, Index, State
+from vmharness.explicit.state import Array, Index, State
 from vmharness.explicit.walls.face import NORMAL
 from vmharness.explicit.walls.impulse import add_impulses, add_wall_forces
 

@@ -9,7 +9,7 @@ import pytest
 from vmharness.explicit.contact.contact import Contact
 from vmharness.explicit.contact.parameters import Options
 from vmharness.explicit.contact.records import Segments, Tracked
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.state import Array, State
 
 
 class Scene:

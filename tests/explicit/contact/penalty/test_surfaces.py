@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from vmharness.explicit.contact.initial_penetration import initial_penetrations
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 class Springs:

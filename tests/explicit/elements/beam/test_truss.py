@@ -10,8 +10,8 @@ from vmharness.explicit.build import build
 from vmharness.explicit.elements.beam.truss import Truss
 from vmharness.explicit.loop import steps
 from vmharness.explicit.materials.elastic import Elastic, uniaxial
-from vmharness.explicit.model.state import State
 from vmharness.explicit.probes import probe
+from vmharness.explicit.state import State
 
 E, RHO, AREA = 2.0e11, 8000.0, 1e-4
 C = np.sqrt(E / RHO)

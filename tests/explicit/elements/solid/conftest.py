@@ -11,7 +11,7 @@ from vmharness.explicit.elements.solid import one_point as hexa_one_point
 from vmharness.explicit.elements.solid.one_point import Hourglass
 from vmharness.explicit.materials import Moduli
 from vmharness.explicit.materials.elastic import Elastic, solid
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.state import Array, State
 
 E, NU, RHO = 2.1e11, 0.3, 7850.0
 

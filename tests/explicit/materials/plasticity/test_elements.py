@@ -11,8 +11,8 @@ from vmharness.explicit.loop import steps
 from vmharness.explicit.materials import Moduli, plastic_kinematic
 from vmharness.explicit.materials._plasticity.constants import Plastic
 from vmharness.explicit.materials._plasticity.piecewise_linear import line
-from vmharness.explicit.model.state import State
 from vmharness.explicit.probes import probe
+from vmharness.explicit.state import State
 
 E, NU, SIGY, ET = 210.0, 0.3, 0.3, 2.1  # GPa, as in mm, ms, kg
 BAR = """*KEYWORD

@@ -16,7 +16,7 @@ from vmharness.deck.rule import only
 from vmharness.deck.support import supports
 from vmharness.explicit.contact.surface.facets import Facets
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Index
+from vmharness.explicit.state import Index
 from vmharness.mesh.faces import corner_sets
 from vmharness.mesh.sets import node_set
 from vmharness.mesh.surface import (

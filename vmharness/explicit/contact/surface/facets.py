@@ -18,7 +18,7 @@ from vmharness.explicit.elements.shell import shell_parts, thickness
 from vmharness.explicit.elements.solid import ELFORMS, solid_parts, volume
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part
-from vmharness.explicit.model.state import Array, Index
+from vmharness.explicit.state import Array, Index
 from vmharness.mesh.faces import area_vectors, faces_of_solids
 from vmharness.mesh.surface import Faces
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from vmharness.explicit.contact.surface.facets import Facets, area
-from vmharness.explicit.model.state import Array, Index
+from vmharness.explicit.state import Array, Index
 from vmharness.mesh.surface import exterior
 
 

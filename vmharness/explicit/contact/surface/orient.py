@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from vmharness.explicit.model.state import Array, Index
+from vmharness.explicit.state import Array, Index
 from vmharness.mesh.faces import area_vectors
 
 ROUND_OFF = 1e-9  # of the segments' size: nodes that lie in the surface are not behind it

@@ -11,7 +11,7 @@ from vmharness.deck.rule import above, among, at_least, no_effect, only
 from vmharness.deck.support import supports
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part, parts
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 ELFORMS = {2: "Belytschko-Schwer beam", 3: "truss"}
 

@@ -33,7 +33,7 @@ from vmharness.explicit.kernels.simd import LANES, by_block, by_element, put, ve
 from vmharness.explicit.kernels.vector import add, dot, scale, subtract
 from vmharness.explicit.materials import Uniaxial, has_long_curve, law_of, with_law
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, Index, State
+from vmharness.explicit.state import Array, Index, State
 
 NAME = "truss"
 

@@ -15,7 +15,7 @@ from vmharness.explicit.elements.discrete.part import ABOUT, ALONG, Discrete, Or
 from vmharness.explicit.materials import law_of
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part, parts
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 SUPPORTS = (
     supports(

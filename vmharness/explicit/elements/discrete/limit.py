@@ -22,7 +22,7 @@ either alone has 2 k/m.
 
 import numpy as np
 
-from vmharness.explicit.model.state import Array, Index
+from vmharness.explicit.state import Array, Index
 
 HALVINGS = 60  # of the interval in which the step lies: to round-off
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from vmharness.explicit.elements.discrete import step
 from vmharness.explicit.elements.discrete.limit import stable_step
 from vmharness.explicit.kernels.compiled import specialise
-from vmharness.explicit.model.state import Array, Index, State
+from vmharness.explicit.state import Array, Index, State
 
 ALONG, ABOUT = 0, 1  # DRO
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from vmharness.explicit.kernels.compiled import to_be_bound
 from vmharness.explicit.kernels.vector import Vector, add, dot, inlined, scale, subtract
 from vmharness.explicit.materials import Spring
-from vmharness.explicit.model.state import Array, Index
+from vmharness.explicit.state import Array, Index
 
 law: Spring = to_be_bound("law")
 

@@ -9,7 +9,7 @@ from vmharness.explicit.elements.shell import _point as point
 from vmharness.explicit.elements.shell import _step as step
 from vmharness.explicit.kernels.compiled import specialise
 from vmharness.explicit.materials import with_law
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from vmharness.deck.rule import at_least, only
 from vmharness.deck.support import supports
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part, parts
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 CONNECTIVITY = {"n4": at_least(0), **{f"n{i}": only(0) for i in range(5, 9)}}
 

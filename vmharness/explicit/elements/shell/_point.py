@@ -7,7 +7,7 @@ from vmharness.explicit.kernels.compiled import to_be_bound
 from vmharness.explicit.kernels.simd import LANES, put, vector
 from vmharness.explicit.kernels.vector import add, scale
 from vmharness.explicit.materials import PlaneStress
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 law: PlaneStress = to_be_bound("law")
 

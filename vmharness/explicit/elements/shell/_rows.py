@@ -2,7 +2,7 @@
 
 from vmharness.explicit.kernels.simd import LANES, put
 from vmharness.explicit.kernels.vector import Vector, inlined
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 # Rows of nodes hold node 1 x, y, z, node 2 x, y, z, ...; the others have up to three components.
 X, V, OMEGA = 0, 12, 24

@@ -13,7 +13,7 @@ from vmharness.explicit.elements.shell._parts import area
 from vmharness.explicit.elements.shell._rows import DENSITY_ROOT, ROWS, THICKNESS
 from vmharness.explicit.kernels.simd import LANES, by_block, by_element
 from vmharness.explicit.materials import Moduli, has_long_curve
-from vmharness.explicit.model.state import Array, Index, State
+from vmharness.explicit.state import Array, Index, State
 
 STRESSES = ("xx", "yy", "xy", "yz", "zx")
 

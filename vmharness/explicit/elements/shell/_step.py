@@ -14,7 +14,7 @@ from vmharness.explicit.elements.shell._rows import HOURGLASS_WORK, LENGTH, MOME
 from vmharness.explicit.elements.shell._thickness import update_thickness
 from vmharness.explicit.kernels.compiled import to_be_bound
 from vmharness.explicit.kernels.simd import LANES, gather, scatter
-from vmharness.explicit.model.state import Array, Index
+from vmharness.explicit.state import Array, Index
 
 # The stages of a formulation, and the material's law at a point: see _formulation.py.
 strain = to_be_bound("strain")

@@ -11,7 +11,7 @@ from vmharness.explicit.elements.shell._rows import THINNING, WORK, M, N, S
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.simd import LANES, put, vector
 from vmharness.explicit.kernels.vector import scale
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 @kernel

@@ -6,7 +6,7 @@ import numpy as np
 
 from vmharness.explicit.kernels.compiled import interpreted
 from vmharness.explicit.kernels.rotation import rotation_matrix
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "zx")
 PLACES = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))

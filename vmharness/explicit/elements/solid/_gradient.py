@@ -17,7 +17,7 @@ from vmharness.explicit.elements.solid._pattern import Patterns, patterns
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.rotation import Triad
 from vmharness.explicit.kernels.vector import Vector, add, cross, dot, inlined, scale
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 Means = tuple[Vector, Vector, Vector, Vector, Vector, Vector]
 

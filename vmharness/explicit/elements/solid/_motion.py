@@ -31,7 +31,7 @@ from vmharness.explicit.kernels.rotation import (
 )
 from vmharness.explicit.kernels.simd import LANES, put, vector
 from vmharness.explicit.kernels.vector import add, inlined, scale
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 @inlined

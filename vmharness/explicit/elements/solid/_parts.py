@@ -16,7 +16,7 @@ from vmharness.explicit.elements.solid._gradient import measures
 from vmharness.explicit.model import contents
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part, parts
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 SUPPORTS = (
     supports(ELEMENT_SOLID, n9=only(0), n10=only(0)),

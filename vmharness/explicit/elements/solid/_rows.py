@@ -4,7 +4,7 @@ from vmharness.explicit.elements.solid._pattern import Nodes, Patterns
 from vmharness.explicit.kernels.rotation import Triad
 from vmharness.explicit.kernels.simd import put, vector
 from vmharness.explicit.kernels.vector import inlined
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 # The buffer. X and V hold nodes first, then patterns 1 to 7; forces overwrite velocities, which are not needed then.
 X, V = 0, 24

@@ -13,7 +13,7 @@ from vmharness.explicit.elements.solid._rows import KEPT, MASS, MODULUS, ROTATIO
 from vmharness.explicit.elements.solid._stress import compiled_step
 from vmharness.explicit.kernels.simd import LANES, by_block, by_element
 from vmharness.explicit.materials import has_long_curve
-from vmharness.explicit.model.state import Array, Index, State
+from vmharness.explicit.state import Array, Index, State
 
 
 class Hexahedra:

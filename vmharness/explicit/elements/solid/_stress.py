@@ -9,7 +9,7 @@ from vmharness.explicit.kernels.compiled import specialise, to_be_bound
 from vmharness.explicit.kernels.simd import LANES, put, vector
 from vmharness.explicit.kernels.vector import add, dot
 from vmharness.explicit.materials import Solid, with_law
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 law: Solid = to_be_bound("law")
 

@@ -33,7 +33,7 @@ from vmharness.explicit.elements.solid._rows import (
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.simd import LANES
 from vmharness.explicit.kernels.vector import inlined
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 @inlined

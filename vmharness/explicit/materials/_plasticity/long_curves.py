@@ -15,7 +15,7 @@ from vmharness.explicit.kernels.simd import LANES
 from vmharness.explicit.kernels.vector import inlined, inlined_counted
 from vmharness.explicit.materials._plasticity.constants import Plastic
 from vmharness.explicit.materials._plasticity.piecewise_linear import COLUMNS, END, Table, is_long, segment
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 one_step: Callable[..., None] = to_be_bound("one_step")
 

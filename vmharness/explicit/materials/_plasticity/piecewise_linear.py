@@ -20,7 +20,7 @@ import numpy as np
 
 from vmharness.explicit.kernels.simd import LANES
 from vmharness.explicit.kernels.vector import inlined, inlined_counted
-from vmharness.explicit.model.state import Array, Index
+from vmharness.explicit.state import Array, Index
 
 Hinges: TypeAlias = tuple[float, ...]
 # Starts of the segments, cells, rows; then of LANES elements: the selected rows, and a copy of what a step changes.

@@ -20,7 +20,7 @@ from vmharness.explicit.materials._plasticity.constants import Plastic, modulus
 from vmharness.explicit.materials._plasticity.piecewise_linear import Curve, element_curve, value_and_slope
 from vmharness.explicit.materials._plasticity.rate import Viscous, factor, viscous_part
 from vmharness.explicit.materials._plasticity.viscous import viscous_multiplier
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 ITERATIONS = 4
 TINY = 1e-300  # avoids 0/0 without stress

@@ -9,7 +9,7 @@ from vmharness.explicit.materials._plasticity.consistency import increment
 from vmharness.explicit.materials._plasticity.constants import Plastic, modulus
 from vmharness.explicit.materials._plasticity.piecewise_linear import element_curve
 from vmharness.explicit.materials._plasticity.rate import factor, viscous_part
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 TINY = 1e-300  # avoids 0/0 without stress
 

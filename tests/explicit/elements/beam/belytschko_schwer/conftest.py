@@ -8,7 +8,7 @@ import pytest
 from vmharness.explicit.elements.beam.belytschko_schwer import BelytschkoSchwer
 from vmharness.explicit.elements.beam.belytschko_schwer.inertia import lumped, stable_step
 from vmharness.explicit.elements.beam.belytschko_schwer.stiffness import CrossSection, stiffness
-from vmharness.explicit.model.state import State
+from vmharness.explicit.state import State
 
 E, NU, RHO = 2.1e11, 0.3, 7850.0
 RECTANGLE = CrossSection(a=2e-4, iss=6.667e-9, itt=1.6667e-9, j=4.578e-9)  # 20 mm along t, 10 mm along s

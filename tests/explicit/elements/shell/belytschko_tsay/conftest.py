@@ -8,7 +8,7 @@ import pytest
 from vmharness.explicit.elements.shell.belytschko_tsay import BelytschkoTsay, Hourglass, nodal_mass
 from vmharness.explicit.materials import Moduli
 from vmharness.explicit.materials.elastic import Elastic, plane_stress
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.state import Array, State
 
 E, NU, RHO = 2.1e11, 0.3, 7850.0
 

@@ -14,7 +14,7 @@ import numpy as np
 from vmharness.explicit.elements.shell.belytschko_tsay import BelytschkoTsay, Hourglass
 from vmharness.explicit.materials import Moduli
 from vmharness.explicit.materials.elastic import Elastic, plane_stress
-from vmharness.explicit.model.state import State
+from vmharness.explicit.state import State
 
 RNG = np.random.default_rng(5)
 X = np.array([(i, j, 0.0) for i in range(4) for j in range(4)]) + 0.2 * RNG.uniform(-1, 1, (16, 3))

@@ -27,7 +27,7 @@ Source for the step: J. O. Hallquist, LS-DYNA Theory Manual, time step of beams.
 import numpy as np
 
 from vmharness.explicit.elements.beam.belytschko_schwer.stiffness import CrossSection
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 def lumped(length: Array, section: CrossSection, density: float) -> tuple[Array, Array]:

@@ -12,7 +12,7 @@ from vmharness.explicit.elements.beam.belytschko_schwer import step
 from vmharness.explicit.elements.beam.belytschko_schwer.inertia import lumped, stable_step
 from vmharness.explicit.elements.beam.belytschko_schwer.stiffness import CrossSection, stiffness
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array, Index, State
+from vmharness.explicit.state import Array, Index, State
 
 # What a probe shows of an end: the resultants there on the cross-section with the outer normal r.
 COMPONENTS = ("axial-force", "axial-stress", "s-shear", "t-shear", "s-moment", "t-moment", "torsion")

@@ -25,7 +25,7 @@ from vmharness.explicit.elements.beam.belytschko_schwer.stiffness import (
 )
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.vector import Vector, add, cross, dot, inlined, row, scale, set_row, subtract
-from vmharness.explicit.model.state import Array, Index
+from vmharness.explicit.state import Array, Index
 
 # Resultants of an element: axial force, torque, moments of the ends on the beam about s, about t, per rotation.
 FORCE, TORQUE, S_1, S_2, T_1, T_2 = range(6)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 AXIAL, TORSION, S_NEAR, S_FAR, T_NEAR, T_FAR = range(6)  # EA/L, GJ/L, a and b about s, a and b about t
 

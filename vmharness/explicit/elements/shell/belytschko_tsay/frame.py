@@ -21,7 +21,7 @@ is zero for every linear field, and 4 for that pattern.
 
 from vmharness.explicit.kernels.simd import put, vector
 from vmharness.explicit.kernels.vector import Vector, components, cross, dot, inlined, scale, subtract, unit
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 Corners = tuple[Vector, Vector, Vector, Vector]
 

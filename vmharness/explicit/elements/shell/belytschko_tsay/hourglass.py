@@ -23,7 +23,7 @@ import numpy as np
 
 from vmharness.explicit.elements.shell.belytschko_tsay.mass import nodal_mass
 from vmharness.explicit.materials import Moduli
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 @dataclass(frozen=True)

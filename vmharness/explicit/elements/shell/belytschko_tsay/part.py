@@ -24,7 +24,7 @@ from vmharness.explicit.kernels.simd import by_element
 from vmharness.explicit.materials import Moduli
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part
-from vmharness.explicit.model.state import Array, Index
+from vmharness.explicit.state import Array, Index
 
 SUPPORTS = (
     supports(CONTROL_HOURGLASS, ihq=among(*range(7)), qh=at_least(0.0)),

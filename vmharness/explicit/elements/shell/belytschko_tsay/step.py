@@ -25,7 +25,7 @@ from vmharness.explicit.elements.shell.belytschko_tsay.strain import increments,
 from vmharness.explicit.kernels.compiled import kernel, to_be_bound
 from vmharness.explicit.kernels.simd import LANES, put, vector
 from vmharness.explicit.kernels.vector import add, dot, scale
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 length = to_be_bound("length")  # the characteristic length by ISDO: see length.py
 

@@ -21,7 +21,7 @@ That is the shear of Kennedy, Belytschko, Lin (1986). The gradient of phi is
 
 from vmharness.explicit.kernels.simd import put, vector
 from vmharness.explicit.kernels.vector import Vector, cross, dot, inlined, scale, subtract, unit
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 Corners = tuple[Vector, Vector, Vector]
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from vmharness.explicit.elements.shell._parts import area
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 def nodal_mass(x: Array, thickness: Array, density: float, nu: float, shrf: float) -> tuple[Array, Array]:

@@ -18,7 +18,7 @@ from vmharness.explicit.elements.shell.c0_triangle.strain import increments, nod
 from vmharness.explicit.kernels.compiled import kernel, to_be_bound
 from vmharness.explicit.kernels.simd import LANES, vector
 from vmharness.explicit.kernels.vector import add, scale
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 length = to_be_bound("length")  # the characteristic length by ISDO: see length.py
 

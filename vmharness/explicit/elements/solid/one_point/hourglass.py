@@ -42,7 +42,7 @@ from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.rotation import matvec
 from vmharness.explicit.kernels.simd import LANES, put, vector
 from vmharness.explicit.kernels.vector import add, combine, components, dot, scale, subtract
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 
 @dataclass(frozen=True)

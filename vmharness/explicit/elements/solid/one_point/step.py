@@ -33,7 +33,7 @@ from vmharness.explicit.kernels.compiled import kernel, to_be_bound
 from vmharness.explicit.kernels.rotation import matvec, stress_in_space
 from vmharness.explicit.kernels.simd import LANES, gather, scatter, vector
 from vmharness.explicit.kernels.vector import Vector, add, inlined, scale, subtract
-from vmharness.explicit.model.state import Array, Index
+from vmharness.explicit.state import Array, Index
 
 stress_at_point = to_be_bound("stress_at_point")
 

@@ -13,7 +13,7 @@ from vmharness.deck.keywords.boundary.prescribed_motion_rigid import BOUNDARY_PR
 from vmharness.deck.support import supports
 from vmharness.explicit.constraints.prescribed_motion import MOTION, PrescribedMotion, build_motion
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.rigid.definitions import definitions, held_by_cmo, lead_number
+from vmharness.explicit.model.rigid_bodies import definitions, held_by_cmo, lead_number
 from vmharness.mesh.dof import place
 
 SUPPORTS = (supports(BOUNDARY_PRESCRIBED_MOTION_RIGID, **MOTION),)

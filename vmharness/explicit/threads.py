@@ -19,7 +19,7 @@ from vmharness.deck.rule import at_least, no_effect
 from vmharness.deck.support import supports
 from vmharness.explicit.force import Elements, Force
 from vmharness.explicit.kernels.compiled import concurrent
-from vmharness.explicit.model.state import Array, State
+from vmharness.explicit.state import Array, State
 
 SUPPORTS = (
     supports(

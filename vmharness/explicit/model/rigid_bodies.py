@@ -19,7 +19,7 @@ from vmharness.deck.keywords.mat.rigid import MAT_RIGID
 from vmharness.deck.keywords.part import PART, has_inertia
 from vmharness.deck.rule import above, among, at_least, no_effect, only
 from vmharness.deck.support import supports
-from vmharness.explicit.model.state import Flags
+from vmharness.explicit.state import Flags
 from vmharness.mesh.dof import coded
 
 OF_BODY = {

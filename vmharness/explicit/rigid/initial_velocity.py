@@ -11,10 +11,10 @@ from vmharness.deck.keywords.initial.velocity_rigid_body import INITIAL_VELOCITY
 from vmharness.deck.rule import only
 from vmharness.deck.support import supports
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.rigid_bodies import lead_number
 from vmharness.explicit.rigid.body import RigidBody
-from vmharness.explicit.rigid.definitions import lead_number
 from vmharness.explicit.rigid.inertia import Inertia, inertia_of_points
+from vmharness.explicit.state import Array
 
 SUPPORTS = (supports(INITIAL_VELOCITY_RIGID_BODY, icid=only(0)),)
 

@@ -6,9 +6,9 @@ import pytest
 from vmharness.explicit import energy
 from vmharness.explicit.build import build
 from vmharness.explicit.force import Elements
-from vmharness.explicit.kernels.threads import FEWEST, ThreadPool, divided
 from vmharness.explicit.loop import steps
 from vmharness.explicit.probes import probe
+from vmharness.explicit.threads import FEWEST, ThreadPool, divided
 
 SIDE = 50  # cells of a sheet of quadrilaterals, of which one row is cut in triangles
 PARALLEL = "*CONTROL_PARALLEL\n{ncpu}\n"

@@ -8,7 +8,7 @@ import numpy as np
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.define.curve import DEFINE_CURVE, points
 from vmharness.explicit.kernels.vector import inlined
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.state import Array
 
 Characteristic = tuple[Array, Array]  # abscissae (m,), increasing, and ordinates (m,)
 
