@@ -47,7 +47,7 @@ def track(
         state["segment"] = s
         xi, eta = centre(segments[s]["triangle"])
         if crossing == MAX_CROSSINGS - 1:
-            node["long_slides"] += 1
+            node["long_slides"] = min(node["long_slides"] + 1, 65535)
 
     segment = segments[s]
     distance, height = np.sqrt(dot(away, away)), side * dot(away, n)
