@@ -7,9 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.explicit.kernels.vector import Vector, inlined
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.state import Array, Index
 
-Index: TypeAlias = NDArray[np.intp]
 Records: TypeAlias = NDArray[np.void]
 Record: TypeAlias = Any  # one of them: fields by name
 

@@ -16,9 +16,9 @@ import numpy as np
 from vmharness.explicit.contact.geometry import at, beyond, centre, corners, tangents
 from vmharness.explicit.contact.neighbours import nearest_neighbour
 from vmharness.explicit.contact.projection import half_thickness, height_over, is_inside, project_node
-from vmharness.explicit.contact.records import Index, Record, Records, write
+from vmharness.explicit.contact.records import Record, Records, write
 from vmharness.explicit.kernels.vector import Vector, dot, inlined, scale
-from vmharness.explicit.model.state import Array
+from vmharness.explicit.model.state import Array, Index
 
 MAX_CROSSINGS = 4  # borders crossed in one step
 
