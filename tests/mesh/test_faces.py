@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from vmharness.explicit.contact.surface.orient import faces_away, turned
+from vmharness.explicit.contact.surface.choice import lies_behind, reverse
 from vmharness.mesh.faces import area_vectors, faces_of_solids, outside
 
 CUBE = np.array(
@@ -58,14 +58,14 @@ def test_triangles_that_two_wedges_share_are_inside_whichever_corner_comes_twice
 def test_segments_face_away_from_nodes_behind_them():
     x = np.vstack([CUBE, [[0.5, 0.5, 2.0]]])
     top, behind, before = np.array([[4, 5, 6, 7], [4, 5, 6, 6]]), np.array([0]), np.array([8])
-    assert faces_away(top, x, behind)
-    assert not faces_away(top, x, before)
+    assert lies_behind(top, x, behind)
+    assert not lies_behind(top, x, before)
     tilted = (
         x
         @ np.array([[0.8, 0.6, 0.0], [-0.6, 0.8, 0.0], [0.0, 0.0, 1.0]])
         @ np.array([[0.8, 0.0, 0.6], [0.0, 1.0, 0.0], [-0.6, 0.0, 0.8]])
     )
-    for segments in (top, turned(top)):  # a node that lies in the surface, but for round-off
-        assert not faces_away(segments, np.vstack([tilted, tilted[top[0]].mean(axis=0)]), np.array([9]))
-    np.testing.assert_allclose(area_vectors(x[turned(top)]), -area_vectors(x[top]))
-    assert turned(top)[1].tolist() == [5, 4, 6, 6]
+    for segments in (top, reverse(top)):  # a node that lies in the surface, but for round-off
+        assert not lies_behind(segments, np.vstack([tilted, tilted[top[0]].mean(axis=0)]), np.array([9]))
+    np.testing.assert_allclose(area_vectors(x[reverse(top)]), -area_vectors(x[top]))
+    assert reverse(top)[1].tolist() == [5, 4, 6, 6]

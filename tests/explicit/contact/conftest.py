@@ -5,7 +5,7 @@ import pytest
 from vmharness.explicit.build import build
 from vmharness.explicit.contact.cards import control_of
 from vmharness.explicit.contact.sides import Sides
-from vmharness.explicit.contact.surface.facets import all_facets
+from vmharness.explicit.contact.surface.faces import contact_faces
 
 # K = E / (3 (1 - 2 nu)) = 1 of the shells, 2 of the solids. A triangle of part 1 joins its quadrilateral; the two bricks
 # are parts 2 and 3, 1 x 1 x 2 and 1 x 1 x 1, one on the other.
@@ -83,6 +83,6 @@ def sides(bodies):
         model = build(alone)
         (entry,) = [entry for entry in found.entries if entry.keyword.name.startswith("CONTACT_")]
         automatic = "AUTOMATIC" in entry.keyword.name
-        return Sides(found, model, entry, control_of(found), all_facets(alone, model), automatic, single)
+        return Sides(found, model, entry, control_of(found), contact_faces(alone, model), automatic, single)
 
     return of

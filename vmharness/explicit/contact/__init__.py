@@ -1,1 +1,15 @@
-"""From the cards of a *CONTACT_... to its force: what all such keywords have in common."""
+"""Penalty contact: tracked nodes are kept from passing through segments (LS-DYNA: SURFA, SURFB). Read in this order:
+
+kinds/NAME             a keyword *CONTACT_NAME and its properties
+build, cards           each card -> its contact in the model
+surface, sides         element faces -> segments and tracked nodes, with stiffness; thickness; ORIEN
+initial_penetration    nodes that begin behind the surface: IGNORE
+contact, cycle         passes and sorts; one cycle: energy, tracking, detection, force
+records, parameters    the data of kernels: nodes, segments, state of each contact
+geometry, projection   shape functions; closest point
+search, detection      candidate segments of a node; where contact begins
+tracking               where the contact point moves, where contact ends; tracking_simd: several at a time
+force, friction        spring, damper, Coulomb friction
+kinematics, energy     relative motion, balance of moments; energy account
+stable_step, limits    facts of the run
+"""

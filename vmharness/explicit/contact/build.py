@@ -18,7 +18,7 @@ from vmharness.explicit.contact.contact import Contact
 from vmharness.explicit.contact.initial_penetration import treat_initial_penetrations
 from vmharness.explicit.contact.records import Segments, Tracked
 from vmharness.explicit.contact.sides import Sides
-from vmharness.explicit.contact.surface.facets import all_facets
+from vmharness.explicit.contact.surface.faces import contact_faces
 from vmharness.explicit.contact.without_effect import of_contact, of_control
 from vmharness.explicit.model.model import Model
 
@@ -38,7 +38,7 @@ def add_contacts(deck: Deck, model: Model, kind: Kind) -> None:
     entries = deck.all(kind.keyword)
     if not entries:
         return
-    every, control = all_facets(deck, model), control_of(deck)
+    every, control = contact_faces(deck, model), control_of(deck)
     rigid = np.unique(every.nodes[every.rigid])
 
     def add(entry: Entry) -> None:
@@ -56,14 +56,14 @@ def add_contacts(deck: Deck, model: Model, kind: Kind) -> None:
 def passes_of(sides: Sides, two_way: bool) -> list[tuple[Tracked, Segments]]:
     """Which nodes are tracked against which segments."""
     if sides.single:
-        facets = sides.facets("a")
-        nodes = np.unique(facets.nodes)
-        return [(sides.tracked("a", nodes), sides.segments("a", facets, nodes))]
-    nodes, facets = sides.nodes("a"), sides.facets("b")
-    passes = [(sides.tracked("a", nodes), sides.segments("b", facets, nodes))]
+        faces = sides.faces("a")
+        nodes = np.unique(faces.nodes)
+        return [(sides.tracked("a", nodes), sides.segments("a", faces, nodes))]
+    nodes, faces = sides.nodes("a"), sides.faces("b")
+    passes = [(sides.tracked("a", nodes), sides.segments("b", faces, nodes))]
     if two_way:
-        back = np.unique(facets.nodes)
-        passes.append((sides.tracked("b", back), sides.segments("a", sides.facets("a"), back)))
+        back = np.unique(faces.nodes)
+        passes.append((sides.tracked("b", back), sides.segments("a", sides.faces("a"), back)))
     return passes
 
 

@@ -12,12 +12,12 @@ from vmharness.explicit.contact.detection import detect
 from vmharness.explicit.contact.energy import account_release, add_half_work
 from vmharness.explicit.contact.force import add_contact_force
 from vmharness.explicit.contact.geometry import at
-from vmharness.explicit.contact.records import FORCE, Index, Record, Records
+from vmharness.explicit.contact.records import FORCE, Record, Records
 from vmharness.explicit.contact.tracking import track
 from vmharness.explicit.contact.tracking_simd import track_settled
 from vmharness.explicit.kernels.compiled import uncounted
 from vmharness.explicit.kernels.vector import Vector, dot, inlined, subtract
-from vmharness.explicit.state import Array
+from vmharness.explicit.state import Array, Index
 
 REACH = 1.01  # so that round-off does not hide a node that begins to move from the surface itself
 

@@ -13,12 +13,12 @@ from vmharness.explicit.contact.energy import account_activation
 from vmharness.explicit.contact.geometry import at, at_time, beyond, centre, corners, normal, size
 from vmharness.explicit.contact.neighbours import SMOOTH, is_active
 from vmharness.explicit.contact.projection import half_thickness, height_over, project_node
-from vmharness.explicit.contact.records import MAX_CONTACTS, Index, Record, Records
+from vmharness.explicit.contact.records import MAX_CONTACTS, Record, Records
 from vmharness.explicit.contact.search import bounding_box, distance_to_box
 from vmharness.explicit.contact.tracking import track
 from vmharness.explicit.kernels.compiled import uncounted
 from vmharness.explicit.kernels.vector import Vector, dot, scale, subtract
-from vmharness.explicit.state import Array
+from vmharness.explicit.state import Array, Index
 
 ROUND_OFF = 1e-9  # of a segment: in the first cycle, a node that is behind by no more is in contact
 BEHIND = 0.01  # of the change of the gap: a node that was behind by no more at t_{n-1} was so by round-off

@@ -14,12 +14,12 @@ from vmharness.explicit.contact.contact import Contact
 from vmharness.explicit.contact.detection import ROUND_OFF, nearest_segment
 from vmharness.explicit.contact.geometry import at, beyond, corners, size
 from vmharness.explicit.contact.projection import half_thickness, height_over, project_node
-from vmharness.explicit.contact.records import Index, Records, Tracked
+from vmharness.explicit.contact.records import Records, Tracked
 from vmharness.explicit.contact.search import find_candidates, mean_size
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.vector import dot, scale
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.state import Array
+from vmharness.explicit.state import Array, Index
 
 
 def treat_initial_penetrations(

@@ -4,11 +4,11 @@ import numpy as np
 
 from vmharness.explicit.contact.geometry import at, centre, corners, interpolate, shape
 from vmharness.explicit.contact.projection import project_node
-from vmharness.explicit.contact.records import Index, Record, Records
+from vmharness.explicit.contact.records import Record, Records
 from vmharness.explicit.contact.search import has_corner
 from vmharness.explicit.kernels.compiled import kernel, uncounted
 from vmharness.explicit.kernels.vector import Vector, dot, inlined, subtract
-from vmharness.explicit.state import Array
+from vmharness.explicit.state import Array, Index
 
 SMOOTH = 0.5  # cosine between normals of segments that are one surface, and between these and the way to a common edge
 SAME = 1e-9  # of a distance: the point on a common border is equally near from both sides

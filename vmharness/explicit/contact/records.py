@@ -7,9 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.explicit.kernels.vector import Vector, inlined
-from vmharness.explicit.state import Array
+from vmharness.explicit.state import Array, Index
 
-Index: TypeAlias = NDArray[np.intp]
 Records: TypeAlias = NDArray[np.void]
 Record: TypeAlias = Any  # one of them: fields by name
 
@@ -49,10 +48,11 @@ NODE = np.dtype(
         ("count", np.intp),  # of active contacts
         ("clearance", np.float64),  # relative motion since the sort before which no new contact can begin
         ("force", np.float64, 3),  # sum over its contacts
+        # These four fill one word.
+        ("full_cycles", np.int32),  # cycles in which it needed more than MAX_CONTACTS
+        ("long_slides", np.uint16),  # times that it crossed MAX_CROSSINGS borders in one step; 65535 at most
         ("released", np.bool_),  # once at least, deeper than the depth of release
         ("settled", np.bool_),  # all of its contacts stayed well within their segments
-        ("full_cycles", np.intp),  # cycles in which it needed more than MAX_CONTACTS
-        ("long_slides", np.intp),  # times that it crossed MAX_CROSSINGS borders in one step
     ],
     align=True,
 )

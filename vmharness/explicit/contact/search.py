@@ -7,10 +7,10 @@ indices, so that distant nodes cost nothing. Each segment then searches the few 
 import numpy as np
 
 from vmharness.explicit.contact.geometry import at
-from vmharness.explicit.contact.records import Index, Record, Records
+from vmharness.explicit.contact.records import Record, Records
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.vector import Vector, inlined
-from vmharness.explicit.state import Array
+from vmharness.explicit.state import Array, Index
 
 
 @inlined

@@ -16,9 +16,9 @@ import numpy as np
 from vmharness.explicit.contact.geometry import at, beyond, centre, corners, tangents
 from vmharness.explicit.contact.neighbours import nearest_neighbour
 from vmharness.explicit.contact.projection import half_thickness, height_over, is_inside, project_node
-from vmharness.explicit.contact.records import Index, Record, Records, write
+from vmharness.explicit.contact.records import Record, Records, write
 from vmharness.explicit.kernels.vector import Vector, dot, inlined, scale
-from vmharness.explicit.state import Array
+from vmharness.explicit.state import Array, Index
 
 MAX_CROSSINGS = 4  # borders crossed in one step
 
@@ -47,7 +47,7 @@ def track(
         state["segment"] = s
         xi, eta = centre(segments[s]["triangle"])
         if crossing == MAX_CROSSINGS - 1:
-            node["long_slides"] += 1
+            node["long_slides"] = min(node["long_slides"] + 1, 65535)
 
     segment = segments[s]
     distance, height = np.sqrt(dot(away, away)), side * dot(away, n)

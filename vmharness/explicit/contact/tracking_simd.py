@@ -7,11 +7,11 @@ import numpy as np
 
 from vmharness.explicit.contact.geometry import at, beyond, corners, start
 from vmharness.explicit.contact.projection import CONVERGED, half_thickness, is_inside, newton
-from vmharness.explicit.contact.records import Index, Record, Records, write
+from vmharness.explicit.contact.records import Record, Records, write
 from vmharness.explicit.kernels.compiled import uncounted
 from vmharness.explicit.kernels.simd import LANES, put, vector
 from vmharness.explicit.kernels.vector import cross, dot, inlined, scale, unit
-from vmharness.explicit.state import Array
+from vmharness.explicit.state import Array, Index
 
 # Rows of the buffer: tangents r,xi and r,eta, their twist, p - r, the normal, and single numbers.
 A, B, W, AWAY, N, XI, ETA, LEFT, LEAST = 0, 3, 6, 9, 12, 15, 16, 17, 18

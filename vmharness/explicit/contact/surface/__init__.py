@@ -1,1 +1,1 @@
-"""Contact surfaces of the deck: faces of shells and solids, their penalty stiffness and thickness, and their nodes."""
+"""Contact surfaces of the deck: faces of shells and solids, with their penalty stiffness and thickness, and nodes."""

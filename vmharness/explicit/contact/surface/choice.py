@@ -1,7 +1,7 @@
-"""Which facets and nodes a contact surface has: SURFATYP and SURFBTYP (mesh/surface.py).
+"""Which faces and nodes a contact surface has: SURFATYP and SURFBTYP (mesh/surface.py).
 
 A segment of a set takes stiffness and thickness from the shell, or else the solid, that has the same corners. Beams
-have no facets: 5 and 6 refuse a deck in which they would be part of the surface.
+have no faces: 5 and 6 refuse a deck in which they would be part of the surface.
 """
 
 from dataclasses import replace
@@ -14,10 +14,10 @@ from vmharness.deck.keywords.set.segment import SET_SEGMENT
 from vmharness.deck.keywords.set.shell import SET_SHELL_LIST
 from vmharness.deck.rule import only
 from vmharness.deck.support import supports
-from vmharness.explicit.contact.surface.facets import Facets
+from vmharness.explicit.contact.surface.faces import ContactFaces
 from vmharness.explicit.model.model import Model
-from vmharness.explicit.state import Index
-from vmharness.mesh.faces import corner_sets
+from vmharness.explicit.state import Array, Index
+from vmharness.mesh.faces import area_vectors, corner_sets
 from vmharness.mesh.sets import node_set
 from vmharness.mesh.surface import (
     ALL,
@@ -34,12 +34,15 @@ SUPPORTS = (
     supports(SET_SEGMENT, solver=only("MECH"), **{f"a{i}": only(0.0) for i in range(1, 5)}),
     supports(SET_SHELL_LIST),
 )
+ROUND_OFF = 1e-9  # of the segments' size: nodes that lie in the surface are not behind it
 
 
-def facets_of_surface(deck: Deck, model: Model, every: Facets, entry: Entry, field: str, kind: int) -> Facets:
-    """The facets of the surface that `field` of `entry` names, among `every` of the deck.
+def faces_of_surface(
+    deck: Deck, model: Model, every: ContactFaces, entry: Entry, field: str, kind: int
+) -> ContactFaces:
+    """The faces of the surface that `field` of `entry` names, among `every` of the deck.
 
-    Raises DeckError for what is not defined, and for a surface without facets.
+    Raises DeckError for what is not defined, and for a surface without faces.
     """
     if kind == SEGMENT_SET:
         return _segment_set(deck, model, every, entry, field)
@@ -50,15 +53,17 @@ def facets_of_surface(deck: Deck, model: Model, every: Facets, entry: Entry, fie
     return chosen.only(exterior(chosen))
 
 
-def nodes_of_surface(deck: Deck, model: Model, every: Facets, entry: Entry, field: str, kind: int) -> Index:
-    """Rows (m,) of the nodes of a surface, each once, in increasing order: of a node set, or of its facets."""
+def nodes_of_surface(
+    deck: Deck, model: Model, every: ContactFaces, entry: Entry, field: str, kind: int
+) -> Index:
+    """Rows (m,) of the nodes of a surface, each once, in increasing order: of a node set, or of its faces."""
     if kind == NODE_SET:
         return node_set(deck, model, entry, field)
-    return np.unique(facets_of_surface(deck, model, every, entry, field, kind).nodes)
+    return np.unique(faces_of_surface(deck, model, every, entry, field, kind).nodes)
 
 
-def _check_parts(deck: Deck, every: Facets, entry: Entry, field: str, kind: int) -> None:
-    """Parts that are named have facets, and none that the surface takes in is beams."""
+def _check_parts(deck: Deck, every: ContactFaces, entry: Entry, field: str, kind: int) -> None:
+    """Parts that are named have faces, and none that the surface takes in is beams."""
     if kind == ALL:
         _check_beams(deck, entry, field, [])
     elif kind in (PART_SET, EXEMPT):
@@ -77,17 +82,37 @@ def _check_beams(deck: Deck, entry: Entry, field: str, exempt: list[int]) -> Non
             raise entry.error(field, what)
 
 
-def _segment_set(deck: Deck, model: Model, every: Facets, entry: Entry, field: str) -> Facets:
+def _segment_set(deck: Deck, model: Model, every: ContactFaces, entry: Entry, field: str) -> ContactFaces:
     """The segments as given, their corners in the order that the set has them."""
     found = deck.find(SET_SEGMENT, sid=getattr(entry, field), referred_by=(entry, field))
     nodes = model.corners(found, ("n1", "n2", "n3", "n4"))
     keys = corner_sets(np.concatenate([nodes, every.nodes]))
     _, place = np.unique(keys, axis=0, return_inverse=True)
     wanted, there = np.split(place.ravel(), [nodes.shape[0]])
-    # Of facets with the same corners the last of these wins: a shell before a solid, the stiffer before the softer.
+    # Of faces with the same corners the last of these wins: a shell before a solid, the stiffer before the softer.
     order = np.lexsort([every.penalty, every.shell])
-    facet = np.full(place.max(initial=-1) + 1, -1)
-    facet[there[order]] = order
-    for row in np.flatnonzero(facet[wanted] < 0).tolist():
+    face = np.full(place.max(initial=-1) + 1, -1)
+    face[there[order]] = order
+    for row in np.flatnonzero(face[wanted] < 0).tolist():
         raise found.error("n1", "no shell and no face of a solid has the nodes of this segment", row)
-    return replace(every.only(facet[wanted]), nodes=nodes)
+    return replace(every.only(face[wanted]), nodes=nodes)
+
+
+def lies_behind(segments: Index, x: Array, tracked: Index) -> bool:
+    """Whether the tracked nodes (nt,) lie, on the whole, behind the segments (ns, 4).
+
+    The sign of sum A n . (mean of the tracked nodes - centre of the segment).
+    """
+    centre, areas = x[segments].mean(axis=1), area_vectors(x[segments])
+    side = np.einsum("ij,ij->", x[tracked].mean(axis=0) - centre, areas)
+    return bool(side < -ROUND_OFF * (np.linalg.norm(areas, axis=1) ** 1.5).sum())
+
+
+def reverse(segments: Index) -> Index:
+    """The segments (ns, 4) with their normals reversed; a triangle's third corner stays the one that comes twice.
+
+    >>> reverse(np.array([[1, 2, 3, 4], [1, 2, 3, 3]])).tolist()
+    [[4, 3, 2, 1], [2, 1, 3, 3]]
+    """
+    triangle = segments[:, 2] == segments[:, 3]
+    return np.where(triangle[:, None], segments[:, [1, 0, 2, 3]], segments[:, ::-1])

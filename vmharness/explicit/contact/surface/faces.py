@@ -1,4 +1,4 @@
-"""Facets: the shells of a deck and the faces of its solids, with what a penalty contact takes from their elements.
+"""Faces for contact: all shells and all faces of solids, with what a penalty contact takes from their elements.
 
     shell   k = K A / d     d the longer diagonal, of a triangle the longest side
     solid   k = K A^2 / V   A of the face, V of the solid
@@ -20,20 +20,20 @@ from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part
 from vmharness.explicit.state import Array, Index
 from vmharness.mesh.faces import area_vectors, faces_of_solids
-from vmharness.mesh.surface import Faces
+from vmharness.mesh.surface import Faces, exterior
 
 
 @dataclass(frozen=True)
-class Facets(Faces):
-    """Columns over facets (n,); the normal of a solid's points outward."""
+class ContactFaces(Faces):
+    """Columns over faces (n,); the normal of a solid's points outward."""
 
     penalty: Array  # k before scale factors
     thickness: Array  # of a shell, 0 of a solid
-    depth: Array  # of the element behind the facet: a shell's thickness, V / A of a solid
+    depth: Array  # of the element behind the face: a shell's thickness, V / A of a solid
     rigid: NDArray[np.bool_]  # of *MAT_RIGID
 
 
-def all_facets(deck: Deck, model: Model) -> Facets:
+def contact_faces(deck: Deck, model: Model) -> ContactFaces:
     """Every shell, and every face of every solid, also where two solids share it."""
     blocks = [*_shells(deck, model), *_solids(deck, model)]
     if not blocks:
@@ -43,12 +43,12 @@ def all_facets(deck: Deck, model: Model) -> Facets:
             np.zeros(0, int),
             np.zeros(0),
         )
-        return Facets(nodes, flags, numbers, numbers, values, values, values, flags)
-    columns = [[getattr(block, column.name) for block in blocks] for column in fields(Facets)]
-    return Facets(*(np.concatenate(column) for column in columns))
+        return ContactFaces(nodes, flags, numbers, numbers, values, values, values, flags)
+    columns = [[getattr(block, column.name) for block in blocks] for column in fields(ContactFaces)]
+    return ContactFaces(*(np.concatenate(column) for column in columns))
 
 
-def _shells(deck: Deck, model: Model) -> Iterator[Facets]:
+def _shells(deck: Deck, model: Model) -> Iterator[ContactFaces]:
     for corners in (4, 3):
         for part in shell_parts(deck, model, corners):
             nodes, t = part.nodes[:, [0, 1, 2, corners - 1]], thickness(part)
@@ -57,7 +57,7 @@ def _shells(deck: Deck, model: Model) -> Iterator[Facets]:
             yield _of_part(part, nodes, stiffness, t, t, np.arange(part.eid.size), shell=True)
 
 
-def _solids(deck: Deck, model: Model) -> Iterator[Facets]:
+def _solids(deck: Deck, model: Model) -> Iterator[ContactFaces]:
     for elform in ELFORMS:
         for part in solid_parts(deck, model, elform):
             nodes, solid = faces_of_solids(part.nodes)
@@ -68,9 +68,9 @@ def _solids(deck: Deck, model: Model) -> Iterator[Facets]:
 
 def _of_part(
     part: Part, nodes: Index, penalty: Array, thickness: Array, depth: Array, element: Index, shell: bool
-) -> Facets:
+) -> ContactFaces:
     count = element.size
-    return Facets(
+    return ContactFaces(
         nodes, np.full(count, shell), np.full(count, part.pid), part.eid[element],
         penalty, thickness, depth, np.full(count, part.rigid),
     )  # fmt: skip
@@ -94,3 +94,31 @@ def diagonals(corners: Array) -> Array:
     longest = np.maximum(np.maximum(first, second), side)
     triangle = (corners[:, 2] == corners[:, 3]).all(axis=1)
     return np.where(triangle[:, None], longest[:, None], np.column_stack([first, second]))
+
+
+def nodal_penalty(every: ContactFaces, tracked: Index, nodes: int) -> Array:
+    """The largest k (nt,) of the faces at each tracked node; infinite where it has none. The model has `nodes`."""
+    largest = _largest(every, every.penalty, nodes)[tracked]
+    return np.where(largest > 0.0, largest, np.inf)
+
+
+def nodal_thickness(every: ContactFaces, thickness: Array, tracked: Index, nodes: int) -> Array:
+    """The largest `thickness` (n,) of the faces at each tracked node (nt,), 0 where it has none."""
+    return _largest(every, thickness, nodes)[tracked]
+
+
+def nodal_area(every: ContactFaces, x: Array, tracked: Index) -> Array:
+    """The tributary area (nt,): the node's share of shells and outer faces of solids; infinite where it has none."""
+    outer = every.only(exterior(every))
+    triangle = outer.nodes[:, 2] == outer.nodes[:, 3]
+    share, total = area(x[outer.nodes]) / np.where(triangle, 3.0, 4.0), np.zeros(x.shape[0])
+    for corner in range(4):
+        there = slice(None) if corner < 3 else ~triangle
+        np.add.at(total, outer.nodes[there, corner], share[there])
+    return np.where(total[tracked] > 0.0, total[tracked], np.inf)
+
+
+def _largest(every: ContactFaces, values: Array, nodes: int) -> Array:
+    largest = np.zeros(nodes)
+    np.maximum.at(largest, every.nodes, values[:, None])
+    return largest
