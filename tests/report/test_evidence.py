@@ -72,7 +72,7 @@ def test_a_row_of_the_index_names_the_cases_that_notice_a_fault_the_farthest_off
     ]
     assert table.rows == [
         ["Times are late (lag)", "C, B", "70 ×", good.case.id],
-        ["Friction pulls", "–", "–", "–"],
+        ["Friction pulls (friction)", "–", "–", "–"],
     ]
     refused = FaultsRecord("E", "0", [noticed(Noticed.CAUGHT, None)])
     found = faults.together([planted, *others, refused])
