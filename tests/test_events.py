@@ -118,7 +118,9 @@ def test_as_often_as_declared_and_the_one_that_is_meant():
     down = lambda t, v: crossings(t, v, 0.0, "down")  # noqa: E731
     second = find(down, time, y, times=3, pick=2)
     assert second.time == pytest.approx(2.5 * np.pi, abs=1e-9)
-    with pytest.raises(EventError, match=r"happened 3 times, at 1.570796, 7.853982, 14.13717 .*; 1 declared"):
+    with pytest.raises(
+        EventError, match=r"happened 3 times, at 1.570796, 7.853982, 14.13717 .*; the case declares 1"
+    ):
         find(down, time, y, times=1, pick=1)
 
 

@@ -1,4 +1,4 @@
-"""Target, computed value, tolerance: a verdict, with its reason."""
+"""Comparison of a computed value with its target: a verdict and its reason."""
 
 import math
 from dataclasses import dataclass
@@ -6,16 +6,16 @@ from enum import StrEnum
 
 
 class Verdict(StrEnum):
-    """What can be said of a result; the worst of its results is said of a case."""
+    """Verdict on a result; the verdict on a case is the worst of its results."""
 
     PASS = "pass"
-    FAIL = "fail"  # judged, and wrong
+    FAIL = "fail"  # out of tolerance
     ERROR = "error"  # could not be judged
 
 
 @dataclass(frozen=True)
 class Tolerance:
-    """How far a value may lie from its target: |value - target| <= absolute + relative |target|."""
+    """Tolerance of a value: |value - target| <= absolute + relative |target|."""
 
     relative: float = 0.0
     absolute: float = 0.0
@@ -27,7 +27,7 @@ class Tolerance:
 
 @dataclass(frozen=True)
 class Comparison:
-    """One target against one computed value; percentages are of the target, None where that has no meaning."""
+    """A computed value compared with its target; percentages refer to the target, None if it is zero."""
 
     target: float
     value: float
@@ -40,10 +40,10 @@ class Comparison:
 
 
 def compare(target: float, value: float, tolerance: Tolerance, scale: float = 0.0) -> Comparison:
-    """Judge `value` against `target`.
+    """Compare `value` with `target`.
 
-    `scale` is the size of the quantity (the largest magnitude in its history): a target below a millionth of it is
-    near zero, where a relative tolerance means nothing and an absolute one must be given.
+    `scale` is the largest magnitude of the quantity in its history. A target below a millionth of it is near zero: a
+    relative tolerance has no meaning there, and an absolute tolerance is necessary.
 
     >>> compare(2.0, 2.002, Tolerance(relative=0.01)).verdict
     <Verdict.PASS: 'pass'>
@@ -86,7 +86,7 @@ def _judge(target: float, value: float, tolerance: Tolerance, scale: float) -> t
 
 
 def worst(verdicts: list[Verdict]) -> Verdict:
-    """The verdict on many: nothing judged is an error, then error, fail, pass."""
+    """The worst of many verdicts; an error if there is none."""
     for verdict in (Verdict.ERROR, Verdict.FAIL, Verdict.PASS):
         if verdict in verdicts:
             return verdict

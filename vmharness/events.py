@@ -1,7 +1,7 @@
-"""Events, found between samples: onset, end, level crossing, extremum.
+"""Events between samples: onset, end, level crossing, extremum.
 
-A value read at the nearest sample is the output interval's, not the solver's. Each event comes with the uncertainty
-that sampling leaves: how far it moves when only every second sample is kept.
+A value at the nearest sample would depend on the output interval. Each event has an uncertainty: the change of its time
+if only every second sample is used.
 """
 
 from collections.abc import Callable
@@ -15,28 +15,30 @@ Array = NDArray[np.float64]
 Direction = Literal["up", "down"]
 
 
-ROUND_OFF = 1e-6  # of a step: a contact that begins just at a sample is found on either side of it
+ROUND_OFF = (
+    1e-6  # of a step: the root of a contact that begins exactly at a sample may be on either side of it
+)
 
 
 class EventError(ValueError):
-    """An event did not happen, or not as often as declared, or cannot be located."""
+    """An event did not happen, happened more or less often than declared, or cannot be located."""
 
 
 @dataclass(frozen=True)
 class Event:
-    """When an event happened, and how far the sampling leaves that open; consistent units of time."""
+    """The time of an event, and its uncertainty by sampling; consistent units."""
 
     time: float
     uncertainty: float
 
 
 def onsets(time: Array, values: Array) -> list[float]:
-    """Times at which a channel that was exactly zero begins: extrapolated backward to its root.
+    """Times at which a channel that was exactly zero begins, by backward extrapolation.
 
-    A force has a kink at its onset, so nothing is interpolated across it: the parabola through the first three
-    non-zero samples is followed back to zero. The root must lie in the step before them, (t_0, t_1]; where fewer
-    than three samples are non-zero, or the parabola has no root there, the line through the first two must have one.
-    Raises EventError where neither locates it.
+    A force has a kink at its onset, so interpolation across it would be wrong: the parabola through the first three
+    non-zero samples is extrapolated to zero. The root must be in the step before them, (t_0, t_1]. If fewer than three
+    samples are non-zero, or if the parabola has no root there, the line through the first two samples is used.
+    Raises EventError if neither has a root there.
     """
     on = values != 0.0
     first = np.flatnonzero(on[1:] & ~on[:-1]) + 1
@@ -44,9 +46,9 @@ def onsets(time: Array, values: Array) -> list[float]:
 
 
 def ends(time: Array, values: Array) -> list[float]:
-    """Times at which a channel becomes exactly zero: extrapolated forward from its last non-zero samples.
+    """Times at which a channel becomes exactly zero, by forward extrapolation.
 
-    The mirror of `onsets`, in the step after the last non-zero sample.
+    As `onsets`, with the last non-zero samples and the step after them.
     """
     on = values != 0.0
     last = np.flatnonzero(on[:-1] & ~on[1:])
@@ -54,7 +56,7 @@ def ends(time: Array, values: Array) -> list[float]:
 
 
 def _root_beside(time: Array, values: Array, i: int, along: int) -> float:
-    """The root in the step before sample i of the parabola, or the line, through i and what follows `along` (+-1)."""
+    """The root, in the step before sample i, of the parabola or line through i and the next samples `along` (+-1)."""
     step = time[i] - time[i - along]
     for points in (3, 2):
         j = i + along * np.arange(points)
@@ -62,7 +64,7 @@ def _root_beside(time: Array, values: Array, i: int, along: int) -> float:
             continue
         s = (time[j] - time[i]) / step
         roots = np.roots(np.polyfit(s, values[j], points - 1))
-        # A force that begins without a kink has a double root, which round-off makes a complex pair.
+        # A force without a kink has a double root, which becomes a complex pair by round-off.
         real = roots[np.abs(roots.imag) < 1e-3].real
         inside = real[(real >= -1.0 - ROUND_OFF) & (real <= ROUND_OFF)]
         if inside.size:
@@ -72,9 +74,9 @@ def _root_beside(time: Array, values: Array, i: int, along: int) -> float:
 
 
 def crossings(time: Array, values: Array, level: float, direction: Direction) -> list[float]:
-    """Times at which a channel passes `level` upward or downward: roots of the cubic Hermite interpolant.
+    """Times at which a channel crosses `level` upward or downward: roots of the cubic Hermite interpolant.
 
-    A channel that touches the level and turns back does not cross it; one that rests on it crosses when it leaves.
+    A channel that touches the level and reverses does not cross it; one that stays on the level crosses when it leaves.
     """
     sign = 1.0 if direction == "up" else -1.0
     above = sign * (values - level) > 0.0
@@ -98,16 +100,16 @@ def _hermite_root(time: Array, values: Array, i: int) -> float:
 
 
 def minima(time: Array, values: Array) -> list[float]:
-    """Times of the lowest values: vertices of the parabola through the lowest sample and its neighbours.
+    """Times of minima: vertices of the parabola through the lowest sample and its neighbours.
 
-    A valley counts when both its sides rise above it by a thousandth of the channel's range, so that round-off and
-    ripple are no events. Ends of the run are not minima: what still falls there has not turned yet.
+    A minimum counts if the channel rises on both sides by a thousandth of its range, so round-off and ripple are no
+    events. The ends of the run are no minima.
     """
     return [_vertex(time, values, i) for i in _valleys(values, 1e-3 * float(np.ptp(values)))]
 
 
 def _valleys(values: Array, rise: float) -> list[int]:
-    """Indices of the lowest samples of the valleys that are deeper than `rise` on both sides."""
+    """Indices of the lowest samples of all valleys that are deeper than `rise` on both sides."""
     found: list[int] = []
     if rise == 0.0:
         return found
@@ -137,9 +139,9 @@ def _vertex(time: Array, values: Array, i: int) -> float:
 def find(
     locate: Callable[[Array, Array], list[float]], time: Array, values: Array, times: int, pick: int
 ) -> Event:
-    """The `pick`-th of the `times` events that `locate` finds, with the uncertainty that sampling leaves.
+    """Event number `pick` of the `times` events that `locate` finds, with its uncertainty by sampling.
 
-    Raises EventError when the event happens less or more often than `times`.
+    Raises EventError if the number of events is not `times`.
     """
     if not np.all(np.isfinite(values)):
         raise EventError("has samples that are not finite")
@@ -147,11 +149,11 @@ def find(
     if len(found) != times:
         at = f", at {', '.join(f'{t:.7g}' for t in found[:5])}" if found else ""
         often = "did not happen" if not found else f"happened {len(found)} times{at}"
-        raise EventError(f"{often} within the run, to {time[-1]:.7g}; {times} declared")
+        raise EventError(f"{often} within the run, which ends at {time[-1]:.7g}; the case declares {times}")
     try:
         coarse = locate(time[::2], values[::2])
     except EventError:
         coarse = []
-    if len(coarse) != times:  # too short for every second sample
+    if len(coarse) != times:  # too few samples for this
         return Event(found[pick - 1], 2.0 * float(np.diff(time).max()))
     return Event(found[pick - 1], abs(coarse[pick - 1] - found[pick - 1]))

@@ -1,4 +1,4 @@
-"""Declared events and channels of a case -> numbers from a history."""
+"""Measurement of the declared events and channels of a case in a history."""
 
 from vmharness.case import Case
 from vmharness.events import Event, EventError, crossings, ends, find, minima, onsets
@@ -6,7 +6,7 @@ from vmharness.history import History, HistoryError
 
 
 def find_event(case: Case, name: str, history: History) -> Event | str:
-    """When the declared event happened, or a sentence that says why it cannot be found."""
+    """The declared event, or a sentence with the reason why it is not found."""
     event = case.file.events[name]
     try:
         if event.at is not None:
@@ -31,12 +31,12 @@ def find_event(case: Case, name: str, history: History) -> Event | str:
 
 
 def _given(t: float, history: History) -> Event:
-    """The time that the case gives, known without error."""
+    """The event at a given time, which has no uncertainty."""
     if not history.time[0] <= t <= history.time[-1]:
         raise EventError(f"t = {t:.7g} lies outside the run, {history.time[0]:.7g} to {history.time[-1]:.7g}")
     return Event(t, 0.0)
 
 
 def value_at(history: History, channel: str, t: float) -> float:
-    """The channel between samples, in consistent units; `time` is t itself."""
+    """The value of a channel at the time t, interpolated, in consistent units; `time` is t itself."""
     return t if channel == "time" else float(history.at(channel, [t])[0])

@@ -47,7 +47,10 @@ def test_faults_are_scored_and_kept_for_the_page(ball, vm, here, few, monkeypatc
     page = (here / "reports" / "VM-061" / "README.md").read_text()
     assert "## Planted faults" in page
     assert "| G |" in page
-    assert "| The first velocity is that of a whole step after the start, not of half a step |" in page
+    assert (
+        "| The first velocity is that of a whole step after the start, not of half a step (half_step_start) |"
+        in page
+    )
 
 
 def test_a_case_that_fails_has_no_score(ball, vm, few):

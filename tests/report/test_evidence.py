@@ -39,7 +39,7 @@ def test_faults_are_on_the_page_and_in_the_index(good, planted, tmp_path):
     assert "Of the 3 faults that change this run, 2 are caught" in page
     assert "Not caught in this case: lag." in page
     assert "| K | ✓ 210 × | ✓ no result |" in page
-    assert "| Times are late | output, or reading of the results | ✗ 0.47 × | t_peak |" in page
+    assert "| Times are late (lag) | output, or reading of the results | ✗ 0.47 × | t_peak |" in page
     assert "These faults do not change this run: friction." in page
     assert "Wrong values make no result fail: RHO." in page
     report.write_index([good], tmp_path)
@@ -71,8 +71,8 @@ def test_a_row_of_the_index_names_the_cases_that_notice_a_fault_the_farthest_off
         "Changed, but not caught",
     ]
     assert table.rows == [
-        ["Times are late", "C, B", "70 ×", good.case.id],
-        ["Friction pulls", "–", "–", "–"],
+        ["Times are late (lag)", "C, B", "70 ×", good.case.id],
+        ["Friction pulls (friction)", "–", "–", "–"],
     ]
     refused = FaultsRecord("E", "0", [noticed(Noticed.CAUGHT, None)])
     found = faults.together([planted, *others, refused])

@@ -101,7 +101,7 @@ def test_results_table_has_the_columns_of_the_manual_and_a_row_for_each_result(g
     assert velocity["LS-DYNA"] == "-27.791"
     assert velocity["VM65"] == "-27.79"
     assert velocity["Verdict"] == "✓ pass"
-    assert velocity["Tolerance used"] == "50 %"
+    assert velocity["Share used"] == "50 %"
 
 
 @pytest.mark.parametrize("kind", ["good", "broken"])

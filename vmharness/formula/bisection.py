@@ -1,4 +1,4 @@
-"""Where a function vanishes."""
+"""Root of a function, by bisection."""
 
 from collections.abc import Callable
 

@@ -23,7 +23,7 @@ ROOTS = {"sqrt": Fraction(1, 2), "cbrt": Fraction(1, 3)}
 
 
 def dimension(node: Node, known: Mapping[str, Dimension]) -> Dimension | None:
-    """Dimension of a node; None for a literal zero, which goes with any; FormulaError if units disagree."""
+    """Dimension of a node; None for a literal zero, which fits any; raises FormulaError if units do not agree."""
     match node:
         case Number(text):
             return DIMENSIONLESS if float(text) else None
@@ -75,7 +75,7 @@ def _plain(node: Node, part: Node, known: Mapping[str, Dimension], who: str) -> 
 
 
 def _power(node: Node, base: Node, exponent: Node, known: Mapping[str, Dimension]) -> Dimension:
-    """The exponent is dimensionless, and a rational number as it stands if the base is not."""
+    """The exponent is dimensionless; it is a literal rational number if the base has a dimension."""
     _plain(node, exponent, known, "the exponent")
     unit = _definite(base, known)
     if unit == DIMENSIONLESS:
@@ -89,7 +89,7 @@ def _power(node: Node, base: Node, exponent: Node, known: Mapping[str, Dimension
 
 
 def rational(node: Node) -> Fraction | None:
-    """The exact value of a number, perhaps with a sign or a fraction of such; None for anything else."""
+    """The exact value of a signed number or of a fraction of two; None for any other node."""
     match node:
         case Number(text) if len(text) <= 20 and abs(float(text)) < 1e6 and "e" not in text.lower():
             return Fraction(text)
@@ -106,7 +106,7 @@ def rational(node: Node) -> Fraction | None:
 def _call(
     node: Node, function: str, arguments: tuple[Node, ...], known: Mapping[str, Dimension]
 ) -> Dimension | None:
-    """The dimension that a function gives to its arguments'."""
+    """The dimension of the value of a function, from those of its arguments."""
     match function:
         case "sqrt" | "cbrt":
             return _definite(arguments[0], known) ** ROOTS[function]
@@ -129,7 +129,7 @@ def _call(
 
 
 def _condition(node: Node, known: Mapping[str, Dimension]) -> None:
-    """Comparisons compare equal units."""
+    """Check that comparisons have equal units on both sides."""
     match node:
         case Comparison(_, operands):
             _same(node, operands, known, "what is compared")
@@ -146,7 +146,7 @@ def _bound(
     ends: tuple[Node, Node],
     known: Mapping[str, Dimension],
 ) -> Dimension | None:
-    """sum: that of the body, over a plain number; root: that of the interval in which it lies."""
+    """Dimension of a sum, that of its body; or of a root, that of its interval."""
     if function == "sum":
         for end in ends:
             _plain(node, end, known, "a bound of sum")

@@ -1,4 +1,4 @@
-"""What is wrong with a formula or a unit."""
+"""Errors in formulas and units."""
 
 from collections.abc import Iterable
 from difflib import get_close_matches

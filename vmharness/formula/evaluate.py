@@ -81,7 +81,7 @@ def _value(node: Node, scope: Scope) -> Value:
 
 
 def _finite(node: Node, value: Value, why: Callable[[], str]) -> Value:
-    """`value`, if all of it is finite; what went in was, so it is this very operation that failed."""
+    """`value` if it is finite everywhere; the operands were finite, so otherwise this operation is the cause."""
     if not np.isfinite(value).all():
         raise FormulaError(f"in `{write(node)}`: {why()}")
     return value
@@ -132,7 +132,7 @@ def _ufunc(function: str) -> Callable[..., Value]:
 
 
 def _truth(node: Node, scope: Scope) -> Value:
-    """Whether a condition holds; the right of `and`, `or` is looked at only where the left leaves it open."""
+    """Whether a condition holds; the right side of `and`, `or` is evaluated only if the left does not decide."""
     match node:
         case Comparison(operators, operands):
             values = [_value(operand, scope) for operand in operands]

@@ -1,11 +1,11 @@
-"""The functions that a formula may call, and nothing else."""
+"""The functions that a formula may call."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
 class Function:
-    """How a function is called, which numpy function it is, and where it is defined."""
+    """Arguments, numpy function and domain of a function."""
 
     arguments: str
     numpy: str = ""
@@ -13,11 +13,11 @@ class Function:
 
     @property
     def count(self) -> int:
-        """Number of arguments; the least number where more may follow."""
+        """The number of arguments, or the smallest number if more are allowed."""
         return self.arguments.replace(", ...", "").count(",") + 1
 
     def accepts(self, count: int) -> bool:
-        """Whether it may be called with so many arguments."""
+        """Whether the function accepts this number of arguments."""
         return count == self.count or (count > self.count and self.arguments.endswith("..."))
 
 

@@ -1,4 +1,4 @@
-"""What a notation for formulas must be able to write."""
+"""Interface of a notation for formulas."""
 
 from collections.abc import Sequence
 from typing import Protocol
@@ -7,7 +7,7 @@ from vmharness.formula.symbol import Symbol
 
 
 class Notation(Protocol):
-    """What a notation writes, each from parts already written: the modules `latex` and `mathml`."""
+    """The constructions of a notation, made of parts that are already typeset; see `latex` and `mathml`."""
 
     def row(self, *parts: str) -> str: ...
     def sign(self, text: str) -> str: ...

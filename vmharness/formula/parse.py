@@ -1,4 +1,4 @@
-"""Text of a formula to its tree, by recursive descent over a grammar that has nothing else in it.
+"""Parser: text of a formula to its tree, by recursive descent.
 
     condition   = conjunction {"or" conjunction}
     conjunction = negation {"and" negation}
@@ -37,7 +37,7 @@ COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
 
 
 def parse(text: str) -> Node:
-    """The tree of a formula whose value is a number; FormulaError says what is wrong and where.
+    """The tree of a formula whose value is a number; raises FormulaError with the column of an error.
 
     >>> parse("2*h")
     Binary(operator='*', left=Number(text='2'), right=Name(name='h'))
@@ -51,7 +51,7 @@ def parse(text: str) -> Node:
 
 
 def _require(node: Node, parent: Node, condition: bool) -> None:
-    """Conditions stand where conditions belong, numbers elsewhere."""
+    """Check that conditions and numbers are where they belong."""
     if isinstance(node, Comparison | Logic) != condition:
         what = "a condition such as a < b" if condition else "a number"
         raise FormulaError(f"in `{write(parent)}`: {what} is expected, not `{write(node)}`")
@@ -72,7 +72,7 @@ def _require(node: Node, parent: Node, condition: bool) -> None:
 
 
 class _Parser:
-    """The grammar, a method a rule; each leaves `token` at the first word that it does not take."""
+    """The grammar: one method for each rule, which leaves `token` at the first token after the rule."""
 
     def __init__(self, text: str) -> None:
         self.text = text

@@ -12,7 +12,7 @@ Value: TypeAlias = Any  # np.float64 (np.bool_ for a condition), or an array (po
 
 @dataclass(frozen=True)
 class Scope:
-    """Values of names, scalars or arrays (points,); the sums around evaluate all of it `repeats` times."""
+    """Values of names, scalars or arrays (points,); the enclosing sums evaluate them `repeats` times."""
 
     values: Mapping[str, Value]
     repeats: int = 1

@@ -1,4 +1,4 @@
-"""A tree back to the text of a formula, with no more parentheses than it needs."""
+"""Text of a formula from its tree, with the fewest parentheses."""
 
 from vmharness.formula.tree import Binary, Bound, Call, Comparison, Logic, Name, Negative, Node, Number
 
@@ -7,7 +7,7 @@ LEVELS = {"or": OR, "and": AND, "not": NOT, "+": SUM, "-": SUM, "*": PRODUCT, "/
 
 
 def level(node: Node) -> int:
-    """How strongly the node holds together: that of its outermost operator."""
+    """Precedence of the outermost operator of the node."""
     match node:
         case Binary(operator) | Logic(operator):
             return LEVELS[operator]
@@ -50,6 +50,6 @@ def write(node: Node) -> str:
 
 
 def _inside(node: Node, least: int) -> str:
-    """The text of an operand, in parentheses if it holds together less than `least`."""
+    """The text of an operand, in parentheses if its precedence is below `least`."""
     text = write(node)
     return f"({text})" if level(node) < least else text

@@ -1,4 +1,4 @@
-"""Text of a formula to its words: numbers, names and signs."""
+"""Tokens of a formula: numbers, names and signs."""
 
 import re
 from dataclasses import dataclass
@@ -49,5 +49,5 @@ def tokens(text: str) -> list[Token]:
 
 
 def error(text: str, column: int, what: str) -> FormulaError:
-    """What is wrong, with the formula and the column (from 1)."""
+    """FormulaError with the formula and the column (from 1)."""
     return FormulaError(f"`{text}`, column {column}: {what}")

@@ -37,7 +37,7 @@ class Binary:
 
 @dataclass(frozen=True)
 class Comparison:
-    """A chain such as a < b <= c: operands one more than operators."""
+    """A chain such as a < b <= c, with one operand more than operators."""
 
     operators: tuple[str, ...]
     operands: tuple["Node", ...]

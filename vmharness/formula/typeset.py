@@ -1,4 +1,4 @@
-"""A tree to a typeset formula: what is a fraction, where parentheses are needed, how cases line up."""
+"""Typeset formula from its tree: fractions, parentheses, rows of cases."""
 
 import re
 from collections.abc import Mapping
@@ -81,7 +81,7 @@ def _number(text: str, to: Notation) -> str:
 
 
 def _level(node: Node) -> int:
-    """How strongly the typeset node holds together, which is not quite as its text does."""
+    """Precedence of the typeset node, which differs from that of its text for fractions and powers."""
     match node:
         case Number(text) if "e" in text.lower():
             return POWER if text.lower().startswith("1e") else PRODUCT
@@ -96,7 +96,7 @@ def _level(node: Node) -> int:
 
 
 def _inside(node: Node, least: int, to: Notation) -> str:
-    """An operand, in parentheses if it holds together less than `least`."""
+    """An operand, in parentheses if its precedence is below `least`."""
     text = typeset(node, to)
     return to.fenced(text) if _level(node) < least else text
 
@@ -158,7 +158,7 @@ def _call(function: str, arguments: tuple[Node, ...], to: Notation) -> str:
 
 
 def _branches(node: Node, to: Notation) -> list[tuple[str, str]]:
-    """Rows (value, when) of a `where`; one that is the last branch of another goes on with its rows."""
+    """Rows (value, condition) of a `where`; a nested `where` in the last branch adds its rows."""
     match node:
         case Call("where", (condition, value, other)):
             return [(typeset(value, to), to.when(typeset(condition, to))), *_branches(other, to)]

@@ -1,4 +1,4 @@
-"""A unit, typeset: upright letters, raised exponents, dots between, one slash."""
+"""Typeset unit: upright letters, raised exponents, dots between factors, one slash."""
 
 from fractions import Fraction
 from typing import TypeAlias

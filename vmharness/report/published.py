@@ -58,7 +58,7 @@ def _table(run: CaseRun, column: Published, read: tuple[Reading, ...]) -> Table:
         "Target",
         column.name,
         "Error (%)",
-        "This run, read in the same way",
+        "This run",
         f"Time of the state ({time})",
     ]
     return Table([*head, "Same digits?"], [_row(run, reading) for reading in read], words=1)

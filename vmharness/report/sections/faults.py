@@ -104,7 +104,12 @@ def _together(cases: Mapping[str, Finding]) -> list[str]:
     caught = [case for case in far if cases[case].noticed is Noticed.CAUGHT]
     missed = [case for case in far if cases[case].noticed is Noticed.MISSED]
     largest = times(cases[caught[0]].share) if caught else DASH
-    return [next(iter(cases.values())).text, _some(caught), largest, _some(missed)]
+    return [_named(next(iter(cases.values()))), _some(caught), largest, _some(missed)]
+
+
+def _named(finding: Finding) -> str:
+    """The text of a fault, with the name that other sentences use."""
+    return finding.text if finding.kind == "deck" else f"{finding.text} ({finding.fault})"
 
 
 def _some(cases: Sequence[str]) -> str:
@@ -145,7 +150,7 @@ def _parameters(found: FaultsRecord) -> Table:
 def _others(found: FaultsRecord) -> Table:
     shown = {row[0] for row in _parameters(found).rows}
     rows = [
-        [finding.text, KINDS[finding.kind], cell(finding), finding.by or finding.reason or DASH]
+        [_named(finding), KINDS[finding.kind], cell(finding), finding.by or finding.reason or DASH]
         for finding in found.findings
         if finding.noticed not in (Noticed.UNSEEN, Noticed.UNJUDGED)
         and finding.fault.partition(" ")[0] not in shown
