@@ -94,8 +94,8 @@ def load(point: "EntryPoint", *required: str) -> ModuleType:
     return found
 
 
-def said(point: "EntryPoint") -> str:
-    """An entry point in words: its module, and the package that it is of."""
+def describe(point: "EntryPoint") -> str:
+    """The module of an entry point and its package, for messages."""
     return f"{point.value} of the package {point.dist.name}" if point.dist else point.value
 
 

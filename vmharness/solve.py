@@ -1,4 +1,4 @@
-"""One case through one solver: its deck read, run in a work folder, and what came of it."""
+"""Solve one case: read its deck, run the solver in a work folder, collect the solution."""
 
 import time
 from collections.abc import Callable
@@ -19,9 +19,9 @@ Progress = Callable[[float], None]
 def solve(
     case: Case, backend: Backend, progress: Progress | None = None, folder: Path | None = None
 ) -> Solution:
-    """Give the deck to the solver; what goes wrong is said in the solution's `failure`.
+    """The solution of the case's deck by the solver; errors of deck and solver are its `failure`.
 
-    The solver works in `folder`, which is empty; without one in a temporary folder that is removed.
+    The solver runs in the empty `folder`, by default in a temporary one that is removed afterwards.
     """
     if folder is None:
         with TemporaryDirectory(prefix="vmharness-") as temporary:
@@ -56,7 +56,7 @@ def solve(
 
 
 def _view(deck: Deck) -> View | None:
-    """The model to be drawn; none of a deck that names what is not there, which this solver did not mind."""
+    """The model as it is drawn; None if the deck refers to something that it does not define."""
     try:
         return view_of(deck)
     except DeckError:

@@ -2,10 +2,13 @@
 
 import hashlib
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
+import vmharness
 from vmharness.backends import builtin
 from vmharness.case import read
 from vmharness.run import run
@@ -53,3 +56,9 @@ def test_the_hash_of_every_included_file_is_on_the_page_and_in_junit(including, 
         assert digest in text
         assert judged.deck_sha256 in text
     assert f'name="gravity.k.sha256" value="{digest}"' in render("junit", [judged])
+
+
+def test_its_version_is_known_without_its_compiler():
+    code = "import sys, vmharness.backends as b; print(b.backend('builtin').found().version, 'numba' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == [vmharness.__version__, "False"]

@@ -7,6 +7,8 @@ import pytest
 
 from vmharness.case import read
 from vmharness.case.deck import read_deck
+from vmharness.deck import read as read_text
+from vmharness.deck import vocabulary
 from vmharness.mesh.view import view_of
 
 CASES = Path(__file__).parents[2] / "cases"
@@ -36,3 +38,33 @@ def test_a_motion_points_the_way_it_goes():
     places, directions = drawn("D-43").arrows["motion"]
     assert np.all(places[:, 1] == 1.0)
     assert np.all(directions == [1.0, 0.0, 0.0])
+
+
+BODY = """*KEYWORD
+*NODE
+1,0.0,0.0,0.0
+2,2.0,0.0,0.0
+3,5.0,0.0,0.0,7,7
+*SET_NODE_LIST
+1
+1,2
+*CONSTRAINED_NODAL_RIGID_BODY
+1
+*DEFINE_CURVE
+1
+0.0,0.0
+1.0,-4.0
+*LOAD_RIGID_BODY
+1,2,1
+*LOAD_NODE_POINT
+3,3,1,-1.0
+"""
+
+
+def test_a_load_on_a_rigid_body_is_drawn_at_the_middle_of_its_nodes(tmp_path):
+    (tmp_path / "deck.k").write_text(BODY)
+    view = view_of(read_text(tmp_path / "deck.k", vocabulary()))
+    places, directions = view.arrows["force"]
+    assert places.tolist() == [[1.0, 0.0, 0.0], [5.0, 0.0, 0.0]]
+    assert directions.tolist() == [[0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]
+    assert view.supports.tolist() == [2]

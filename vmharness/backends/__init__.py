@@ -1,9 +1,9 @@
-"""Solvers: the rooms of this folder, and what other installed packages offer by the entry point group `GROUP`.
+"""Solvers: the packages in this folder, and the modules that other installed packages offer as entry points:
 
     [project.entry-points."vmharness.solvers"]
     mycode = "mypackage.adapter"
 
-The name is that of the room or of the entry point; protocol.py says what the module must define. A name is taken once.
+A solver has the name of its folder or of its entry point, which must be unique. protocol.py says what it must define.
 """
 
 from functools import cache
@@ -20,19 +20,19 @@ REQUIRED = ("NAME", "found", "review", "reports", "solve")
 
 
 class BackendError(Exception):
-    """A solver that there is not, or that cannot be used, and why."""
+    """A solver does not exist, or cannot be used, and why."""
 
 
 def names() -> list[str]:
-    """The solvers that there are; none of them is imported."""
+    """Names of all solvers; none of them is imported."""
     return sorted({*plugins.rooms(__name__), *plugins.offered(GROUP)})
 
 
 @cache
 def identity(name: str) -> tuple[str, ...]:
-    """What tells an outcome of this solver from others: name, version, machine, and sources of an installed adapter.
+    """Name, version and machine of a solver, and a hash of its adapter: outcomes of other solvers have another one.
 
-    Those of a room of this package are sources of the package. Raises BackendError.
+    The hash is empty for a solver of this package, whose sources studies/sources.py counts. Raises BackendError.
     """
     solver = backend(name)
     found = solver.found()
@@ -43,17 +43,17 @@ def identity(name: str) -> tuple[str, ...]:
 def backend(name: str) -> "Backend":
     """The solver `name`.
 
-    Raises BackendError where there is none of that name, where two places offer it, and where its module cannot be
-    imported or does not keep the contract.
+    Raises BackendError if there is none of that name, if two packages offer it, and if its module cannot be imported or
+    lacks a name of `REQUIRED`.
     """
     room, offers = name in plugins.rooms(__name__), plugins.offered(GROUP).get(name, [])
-    places = [f"{__name__}.{name}"] * room + [plugins.said(offer) for offer in offers]
+    places = [f"{__name__}.{name}"] * room + [plugins.describe(offer) for offer in offers]
     if not places:
         raise BackendError(f"no solver {name}; there are: {', '.join(names())}")
     if len(places) > 1:
         raise BackendError(f"solver {name} is offered twice, by {' and by '.join(places)}; uninstall one")
     try:
         found = plugins.module(__name__, name, *REQUIRED) if room else plugins.load(offers[0], *REQUIRED)
-    except Exception as error:  # whatever its import raises is the matter of this solver alone
+    except Exception as error:  # any error of the import concerns this solver only
         raise BackendError(f"solver {name}, {places[0]}: {type(error).__name__}: {error}") from error
     return cast("Backend", found)

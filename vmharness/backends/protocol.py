@@ -1,13 +1,13 @@
-"""What a solver is to the harness: a module with a name, a place, a review of decks, and a way to run one.
+"""The protocol of a solver: what its module defines, and what the harness gives to it and takes from it.
 
-    NAME                        as reports write it, before the version
-    found()                     version and place, or why it cannot run here; quick, and starts no computation
-    review(deck, channels)      what it cannot represent, and what has no effect: before a run, and without one
+    NAME                        its name in reports, before the version
+    found()                     its version and place, or why it cannot run here; takes a moment, computes nothing
+    review(deck, channels)      what it cannot represent and what has no effect, without a run
     reports(deck)               the energies that it can record of a deck, as channels by name
-    solve(job)                  the run: it writes in job.folder alone, and what goes wrong is its `failure`
+    solve(job)                  runs the deck; writes files in job.folder only
 
-`channels` are those of a case: node, element, contact, energy, ... and the component of each. A program of another
-package is started by `vmharness.execution.program.run`, so that it ends when the run does.
+`channels` are those of a case: node, element, contact, energy, ... and the component of each. A solver starts a program
+by `vmharness.execution.program.run`: the program then ends at the latest with the run, also if that is interrupted.
 """
 
 from collections.abc import Callable, Mapping
@@ -43,13 +43,11 @@ class Job:
 
 @dataclass(frozen=True)
 class Output:
-    """What a solver makes of a job."""
+    """The outcome of a job."""
 
     history: History | None  # every channel, at the instants at which the solver writes
     failure: str = ""  # why the run ended before its end, or did not begin
-    facts: Mapping[str, str] = field(
-        default_factory=dict
-    )  # for the reader: time step, precision, interval, ...
+    facts: Mapping[str, str] = field(default_factory=dict)  # time step, precision, interval, ...
     cycles: int = 0
     seconds: float = 0.0  # that the time loop took, where that is known
     notes: tuple[str, ...] = ()  # what of the deck cannot change results

@@ -1,4 +1,4 @@
-"""Work folders: one for each run, gone after it, unless the run failed and has left files to look at."""
+"""Work folders: one for each run, removed after it; kept if the run failed and left files."""
 
 import contextlib
 import shutil
@@ -8,9 +8,9 @@ from types import TracebackType
 
 
 class WorkFolders:
-    """The work folders of many runs, by number, below one temporary folder; a context manager.
+    """The work folders of many runs, by number, in one temporary folder; a context manager.
 
-    On leaving it, all are removed but those that `close` has kept.
+    At its end, all are removed except those that `close` has kept.
     """
 
     def __init__(self) -> None:
@@ -29,13 +29,16 @@ class WorkFolders:
             self._root.rmdir()
 
     def folder(self, number: int) -> Path:
-        """The folder of a run, made here and empty."""
+        """Make the empty folder of a run."""
         path = self._root / str(number)
         path.mkdir()
         return path
 
     def close(self, number: int, failure: str = "") -> str:
-        """Remove the folder of a run; if that failed and has left files, keep it and say where after `failure`."""
+        """Remove the folder of a run, or keep it if the run failed and left files.
+
+        Returns `failure`, with the path of a folder that is kept.
+        """
         path = self._root / str(number)
         if failure and any(path.iterdir()):
             self._kept.add(path)

@@ -1,4 +1,4 @@
-"""A program of another package, run to its end in a work folder."""
+"""Run an external program in a work folder."""
 
 import os
 import subprocess
@@ -12,14 +12,14 @@ TAIL = 10  # lines of it in an error
 
 
 class ProgramError(subprocess.SubprocessError):
-    """A program could not be started, or failed: how, and its last lines."""
+    """A program could not be started, or failed; has the exit code and the last lines of its output."""
 
 
 def run(argv: Sequence[str | Path], folder: Path, environment: Mapping[str, str] | None = None) -> str:
-    """Run a program in `folder` and return what it printed, which is in `OUTPUT` there, too.
+    """Run a program in `folder` and return its output, which is also in the file `OUTPUT` there.
 
-    `environment` is set beside that of this process. Raises ProgramError if the program is not there, or ends with
-    another exit code than 0. It has no input, and no time limit but that of the run: it ends with the worker.
+    `environment` is added to that of this process. The program has no input. Its time limit is that of the run: it ends
+    with the worker. Raises ProgramError if it cannot be started, or if its exit code is not 0.
     """
     words = [str(word) for word in argv]
     output = folder / OUTPUT
@@ -38,7 +38,7 @@ def run(argv: Sequence[str | Path], folder: Path, environment: Mapping[str, str]
         try:
             code = process.wait()
         finally:
-            process.kill()  # an interrupt: it must not go on
+            process.kill()  # after an interrupt it still runs
             process.wait()
     printed = output.read_text(encoding="utf-8", errors="replace")
     if code:
@@ -47,6 +47,6 @@ def run(argv: Sequence[str | Path], folder: Path, environment: Mapping[str, str]
 
 
 def _tail(printed: str) -> str:
-    """The last lines of what was printed, ready to follow a sentence."""
+    """The last lines of the output, as the end of a message."""
     lines = printed.rstrip().splitlines()[-TAIL:]
     return "".join([":", *(f"\n  {line}" for line in lines)]) if lines else ", and printed nothing"

@@ -1,4 +1,4 @@
-"""A worker and all that it starts as one session, so that nothing of it outlives the worker or the harness."""
+"""The session of a worker: the worker and every process that it starts, which all end together."""
 
 import contextlib
 import os
@@ -14,7 +14,7 @@ SESSION = 3  # field of /proc/PID/stat, counted from after the name
 
 
 def lead() -> None:
-    """Make this process the leader of a session of its own, which ends when its parent does, however that ends."""
+    """Make this process the leader of a new session, and end the session when the parent process ends."""
     if hasattr(os, "setsid"):
         os.setsid()
     if (parent := parent_process()) is not None:
@@ -22,8 +22,8 @@ def lead() -> None:
 
 
 def end(leader: int) -> None:
-    """Kill every process of a session: the group of its leader, and the groups that others in it have made."""
-    for process in _members(leader):  # mpirun, for one, gives each of its processes a group
+    """Kill every process of a session, also those in process groups other than the leader's."""
+    for process in _members(leader):  # mpirun, for example, makes a group for each of its processes
         with contextlib.suppress(ProcessLookupError, PermissionError):
             os.kill(process, signal.SIGKILL)
     if hasattr(os, "killpg"):
@@ -32,13 +32,13 @@ def end(leader: int) -> None:
 
 
 def _end_with(parent: int) -> None:
-    """Wait until the parent is gone, be it by SIGKILL, then end this session."""
+    """Wait until the parent has ended, also by SIGKILL, then end this session."""
     wait([parent])
     end(os.getpid())
 
 
 def _members(leader: int) -> Iterator[int]:
-    """The processes of a session but its leader; none where there is no /proc, and its group must do."""
+    """The processes of a session except its leader; without /proc none, and `end` reaches the leader's group only."""
     for stat in PROC.glob("[0-9]*/stat"):
         with contextlib.suppress(OSError):
             after_name = stat.read_text(errors="replace").rpartition(")")[2].split()

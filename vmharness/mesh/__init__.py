@@ -1,4 +1,4 @@
 """The topology of a deck: nodes, elements, sets, outer faces, contact surfaces, supports, places of loads.
 
-What a picture of the model shows, and what every solver reads alike; numpy alone, and no mechanics.
+It is the same for every solver, and is what the figure of a model shows. It has no mechanics and needs numpy only.
 """

@@ -1,4 +1,4 @@
-"""Places and directions of what acts on the nodes of a deck: forces, pressures, prescribed motions, body loads."""
+"""Places and directions of the loads and prescribed motions of a deck."""
 
 from collections.abc import Iterable, Iterator
 
@@ -30,7 +30,7 @@ Arrows = tuple[Array, Array]  # places (n, 3), directions (n, 3)
 
 
 def arrows(deck: Deck, nodes: Nodes) -> dict[str, Arrows]:
-    """Where forces, pressures and prescribed motions act, and which way at their largest."""
+    """Places of forces, pressures and prescribed motions, and their directions at the largest value of the curve."""
     forces = deck.all(LOAD_RIGID_BODY, LOAD_NODE_POINT, LOAD_NODE_SET)
     motions = [
         entry
@@ -59,7 +59,7 @@ def gravity(deck: Deck) -> Array:
 
 
 def _along_axis(deck: Deck, nodes: Nodes, entry: Entry) -> Arrows:
-    """A force or a motion along x, y or z, at every node that has it."""
+    """A force or motion along x, y or z, at each of its nodes."""
     at = _places(deck, nodes, entry)
     along = np.sign(entry.sf * _largest(deck, entry)) * np.eye(3)[place(entry)]
     return at, np.tile(along, (len(at), 1))

@@ -1,4 +1,4 @@
-"""The model of a deck as it is drawn: elements, masses, supports, loads, contacts; the same for every solver."""
+"""The view of a deck: what the figure of its model shows, whichever solver runs it."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -36,7 +36,7 @@ class View:
 
 
 def view_of(deck: Deck) -> View:
-    """The model as the deck has it; raises DeckError where that names what is not there."""
+    """The view of a deck; raises DeckError if it refers to something that it does not define."""
     nodes = nodes_of(deck)
     masses = [nodes.find(table, "nid", table.nid) for table in deck.all(ELEMENT_MASS)]
     discrete = by_part(elements(deck, nodes, 2, ELEMENT_DISCRETE)).nodes
@@ -56,7 +56,7 @@ def view_of(deck: Deck) -> View:
 
 
 def _contacts(deck: Deck, nodes: Nodes) -> Iterator[tuple[Index, Index]]:
-    """Of each contact the nodes that are tracked, and the segments; of a two-way contact those of both sides."""
+    """Tracked nodes and segments of each contact; of a two-way contact those of both sides."""
     every = all_faces(deck, nodes)
     for contact in deck.all(*CONTACTS):
         opposite = "a" if contact.keyword is SINGLE else "b"

@@ -1,6 +1,7 @@
 """The built-in explicit finite-element code.
 
-The solver and its compiler are imported where they are used: to ask for the version takes a moment only.
+The solver and its compiler are imported in the functions that need them: commands that only ask for the version start
+without.
 """
 
 from collections.abc import Mapping
@@ -19,7 +20,7 @@ COLD = "compiling the kernels of the solver: the first run takes up to a minute 
 
 
 def found() -> Found:
-    """It is this package."""
+    """Version, folder and machine; a notice while no kernel is compiled."""
     from vmharness.explicit.kernels.cache import folder, is_cold
 
     return Found(
@@ -31,14 +32,14 @@ def found() -> Found:
 
 
 def review(deck: "Deck", channels: "Mapping[str, Channel]") -> "list[Finding]":
-    """What keeps it from running the deck, the channels that the model does not have, and what has no effect."""
+    """What is not supported in the deck, which channels its model does not have, and what has no effect."""
     from vmharness.backends.builtin.channels import findings
 
     return findings(deck, channels)
 
 
 def reports(deck: "Deck") -> "dict[str, Channel]":
-    """The energies of which the model of the deck keeps an account."""
+    """The energies that the model of the deck has, as channels by name."""
     from vmharness.backends.builtin.channels import energies
 
     return energies(deck)

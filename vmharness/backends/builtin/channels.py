@@ -1,4 +1,4 @@
-"""Channels as probes of the model, those that a model has, and what keeps the solver from recording them."""
+"""Channels of the built-in solver: their probes, the energies of a model, and channels that a model does not have."""
 
 from collections.abc import Mapping
 
@@ -16,14 +16,14 @@ from vmharness.explicit.probes import Probe, ProbeError, probe
 
 
 def probe_of(model: Model, channel: Channel) -> Probe:
-    """What shows a channel of a case; raises ProbeError where the model has no such thing."""
+    """The probe of a channel; raises ProbeError if the model has no such quantity."""
     fields = {name: value for name, value in asdict(channel).items() if value is not None}
     del fields["text"]
     return probe(model, **fields)
 
 
 def findings(deck: Deck, channels: Mapping[str, Channel]) -> list[Finding]:
-    """What the solver has to say of the deck; if it can build the model, each channel that this does not have."""
+    """The findings on the deck; if the model can be built, also one for each channel that it does not have."""
     model, found = assemble(deck)
     if model is not None and not unsupported(found):
         for name, channel in channels.items():
@@ -35,7 +35,7 @@ def findings(deck: Deck, channels: Mapping[str, Channel]) -> list[Finding]:
 
 
 def energies(deck: Deck) -> dict[str, Channel]:
-    """Kinetic energy, those of which any force or constraint keeps an account, their total, and the energy ratio."""
+    """Kinetic energy, the energies of all forces and constraints, their total, and the energy ratio, as channels."""
     model = build(deck)
     items: list[Force | Constraint] = [*model.forces, *model.constraints]
     kept = [kind for kind in (*STORED, "external work") if accounts(items, kind)]

@@ -1,4 +1,4 @@
-"""`vm doctor`: what is found on this machine."""
+"""`vm doctor`: the solvers on this machine."""
 
 import click
 
@@ -7,9 +7,9 @@ from vmharness.cli.say import plain_table, say_table
 
 @click.command("doctor")
 def command() -> int:
-    """Show the solvers: version and place, or why not.
+    """Show the solvers: version and place, or why one cannot run.
 
-    They are those of this package, and what other installed packages offer by the entry point group vmharness.solvers.
+    Other installed packages can offer solvers, in the entry point group vmharness.solvers.
     """
     from vmharness.backends import BackendError, backend, names
     from vmharness.backends.protocol import full_name
