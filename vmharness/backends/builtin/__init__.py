@@ -13,6 +13,7 @@ from vmharness.backends.protocol import Found, Job, Output
 if TYPE_CHECKING:
     from vmharness.case.format import Channel
     from vmharness.deck import Deck, Finding
+    from vmharness.deck.support import Supported
 
 NAME = "vmharness"
 COLD = "compiling the kernels of the solver: the first run takes up to a minute longer"
@@ -35,6 +36,20 @@ def review(deck: "Deck", channels: "Mapping[str, Channel]") -> "list[Finding]":
     from vmharness.backends.builtin.channels import findings
 
     return findings(deck, channels)
+
+
+def supported() -> "Supported":
+    """What it supports of each keyword."""
+    from vmharness.explicit.supported import supported
+
+    return supported()
+
+
+def notes(deck: "Deck") -> list[str]:
+    """A sentence for each keyword of the deck that cannot change results."""
+    from vmharness.explicit.supported import notes
+
+    return notes(deck)
 
 
 def reports(deck: "Deck") -> "dict[str, Channel]":

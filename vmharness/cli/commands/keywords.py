@@ -43,7 +43,7 @@ def _name(keyword: "Keyword") -> str:
 
 def _say_cards(keyword: "Keyword") -> None:
     """The cards, with what the built-in solver supports of them."""
-    from vmharness.explicit.supported import supported
+    from vmharness.backends.builtin import supported
 
     support = supported().get(keyword.name)
     remark = support.effect if support else "not supported"

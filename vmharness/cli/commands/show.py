@@ -94,10 +94,10 @@ def _deck(case: "Case") -> None:
 
     import numpy as np
 
+    from vmharness.backends.builtin import notes
     from vmharness.case import CaseError
     from vmharness.case.deck import read_deck
     from vmharness.deck import DeckError
-    from vmharness.explicit.supported import notes
 
     try:
         deck = read_deck(case)
