@@ -3,6 +3,7 @@
     NAME                        as reports write it, before the version
     found()                     version and place, or why it cannot run here; quick, and starts no computation
     review(deck, channels)      what it cannot represent, and what has no effect: before a run, and without one
+    supported()                 what it supports of each keyword; may be missing: then nobody can tell beforehand
     reports(deck)               the energies that it can record of a deck, as channels by name
     solve(job)                  the run: it writes in job.folder alone, and what goes wrong is its `failure`
 

@@ -45,13 +45,6 @@ def supported() -> "Supported":
     return supported()
 
 
-def notes(deck: "Deck") -> list[str]:
-    """A sentence for each keyword of the deck that cannot change results."""
-    from vmharness.explicit.supported import notes
-
-    return notes(deck)
-
-
 def reports(deck: "Deck") -> "dict[str, Channel]":
     """The energies of which the model of the deck keeps an account."""
     from vmharness.backends.builtin.channels import energies
