@@ -14,6 +14,7 @@ from vmharness import plugins
 
 if TYPE_CHECKING:
     from vmharness.backends.protocol import Backend
+    from vmharness.deck.support import Supported
 
 GROUP = "vmharness.solvers"
 REQUIRED = ("NAME", "found", "review", "reports", "solve")
@@ -57,3 +58,9 @@ def backend(name: str) -> "Backend":
     except Exception as error:  # any error of the import concerns this solver only
         raise BackendError(f"solver {name}, {places[0]}: {type(error).__name__}: {error}") from error
     return cast("Backend", found)
+
+
+def supported(name: str) -> "Supported":
+    """What the solver `name` declares to support of each keyword, if it does; raises BackendError."""
+    declared = getattr(backend(name), "supported", dict)
+    return cast("Supported", declared())

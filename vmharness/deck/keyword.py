@@ -9,7 +9,19 @@ OPTIONS = {
     "TITLE": Card(title=text("", width=80)),
     "ID": Card(id=integer(0), heading=text("", width=70)),
 }
-RESERVED = {"keyword", "spelled", "suffix", "file", "line", "values", "lines", "raw", "line_of", "error"}
+RESERVED = {
+    "keyword",
+    "spelled",
+    "suffix",
+    "file",
+    "line",
+    "values",
+    "lines",
+    "raw",
+    "line_of",
+    "error",
+    "of_defaults",
+}
 
 
 class Keyword:

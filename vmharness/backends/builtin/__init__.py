@@ -14,6 +14,7 @@ from vmharness.backends.protocol import Found, Job, Output
 if TYPE_CHECKING:
     from vmharness.case.format import Channel
     from vmharness.deck import Deck, Finding
+    from vmharness.deck.support import Supported
 
 NAME = "vmharness"
 COLD = "compiling the kernels of the solver: the first run takes up to a minute longer"
@@ -36,6 +37,13 @@ def review(deck: "Deck", channels: "Mapping[str, Channel]") -> "list[Finding]":
     from vmharness.backends.builtin.channels import findings
 
     return findings(deck, channels)
+
+
+def supported() -> "Supported":
+    """What it supports of each keyword."""
+    from vmharness.explicit.supported import supported
+
+    return supported()
 
 
 def reports(deck: "Deck") -> "dict[str, Channel]":

@@ -43,9 +43,10 @@ def _name(keyword: "Keyword") -> str:
 
 def _say_cards(keyword: "Keyword") -> None:
     """The cards, with what the built-in solver supports of them."""
-    from vmharness.explicit.supported import supported
+    from vmharness.backends import supported
+    from vmharness.cli.options import SOLVER
 
-    support = supported().get(keyword.name)
+    support = supported(SOLVER).get(keyword.name)
     remark = support.effect if support else "not supported"
     say(_name(keyword) + (f"   ({remark})" if remark else ""))
     limits = {name: rule.brief for name, rule in support.rules.items()} if support else {}

@@ -94,10 +94,12 @@ def _deck(case: "Case") -> None:
 
     import numpy as np
 
+    from vmharness.backends import supported
     from vmharness.case import CaseError
     from vmharness.case.deck import read_deck
+    from vmharness.cli.options import SOLVER
     from vmharness.deck import DeckError
-    from vmharness.explicit.supported import notes
+    from vmharness.deck.support import effects
 
     try:
         deck = read_deck(case)
@@ -113,5 +115,5 @@ def _deck(case: "Case") -> None:
     say("parameters: " + ", ".join(f"{name} = {value}" for name, value in deck.parameters.items()))
     say("model: " + ", ".join(f"{count} *{name}" for name, count in rows.items()))
     say("keywords: " + ", ".join(f"*{name}" + (f" ({n})" if n > 1 else "") for name, n in keywords.items()))
-    for note in (*deck.notes, *notes(deck)):
+    for note in (*deck.notes, *effects(deck, supported(SOLVER))):
         say(f"note: {note}")
