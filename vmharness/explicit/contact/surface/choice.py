@@ -89,7 +89,7 @@ def _segment_set(deck: Deck, model: Model, every: ContactFaces, entry: Entry, fi
     keys = corner_sets(np.concatenate([nodes, every.nodes]))
     _, place = np.unique(keys, axis=0, return_inverse=True)
     wanted, there = np.split(place.ravel(), [nodes.shape[0]])
-    # Of faces with the same corners the last in this order is taken: a shell before a solid, the stiffer before the softer.
+    # Of faces with the same corners the last in this order is taken: shells before solids, stiff before soft ones.
     order = np.lexsort([every.penalty, every.shell])
     face = np.full(place.max(initial=-1) + 1, -1)
     face[there[order]] = order
