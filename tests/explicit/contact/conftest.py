@@ -2,6 +2,7 @@
 
 import pytest
 
+from vmharness import plugins
 from vmharness.explicit.build import build
 from vmharness.explicit.contact.cards import control_of
 from vmharness.explicit.contact.sides import Sides
@@ -77,12 +78,15 @@ def bodies(deck):
 @pytest.fixture
 def sides(bodies):
     """The sides of the only contact of such a deck, which is built without it."""
+    modules = plugins.modules("vmharness.explicit.contact.kinds", "KIND")
+    kinds = {module.KIND.keyword.name: module.KIND for module in modules}
 
     def of(keywords, single=False):
         found, alone = bodies(keywords), bodies("")
         model = build(alone)
         (entry,) = [entry for entry in found.entries if entry.keyword.name.startswith("CONTACT_")]
-        automatic = "AUTOMATIC" in entry.keyword.name
-        return Sides(found, model, entry, control_of(found), contact_faces(alone, model), automatic, single)
+        kind = kinds[entry.keyword.name]
+        every = contact_faces(alone, model)
+        return Sides(found, model, entry, control_of(found), every, kind.automatic, single)
 
     return of

@@ -31,7 +31,7 @@ def cycle(
     # motion
     x: Array, v: Array, a: Array, dt: float,
     # updated
-    f: Array, nodes: Records, states: Records, parameters_one: Records, account: Array,
+    f: Array, nodes: Records, states: Records, pass_parameters: Records, account: Array,
     # buffers of `track_settled`
     work: Array, lanes: Index,
 ) -> bool:  # fmt: skip
@@ -39,7 +39,7 @@ def cycle(
 
     `account` receives the energies "contact", "friction" and "released", and the sum of forces on the tracked nodes.
     """
-    parameters = parameters_one[0]
+    parameters = pass_parameters[0]
     step = REACH * dt * relative_speed_bound(v, nodes, rows)
     travel = 0.0 if sorted_now else parameters["travel"] + step
     if travel > parameters["margin"]:

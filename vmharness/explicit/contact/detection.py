@@ -14,7 +14,7 @@ from vmharness.explicit.contact.geometry import at, at_time, beyond, centre, cor
 from vmharness.explicit.contact.neighbours import SMOOTH, is_active
 from vmharness.explicit.contact.projection import half_thickness, height_over, project_node
 from vmharness.explicit.contact.records import MAX_CONTACTS, Record, Records
-from vmharness.explicit.contact.search import bounding_box, distance_to_box
+from vmharness.explicit.contact.search import bounding_box, distance_to_box, nearest_segment
 from vmharness.explicit.contact.tracking import track
 from vmharness.explicit.kernels.compiled import uncounted
 from vmharness.explicit.kernels.vector import Vector, dot, scale, subtract
@@ -72,18 +72,6 @@ def detect(
     if full:
         node["full_cycles"] += 1
     return least
-
-
-@uncounted
-def nearest_segment(segments: Records, candidates: Index, x: Array, node: Record) -> int:
-    """The candidate segment that is nearest to a node, or -1."""
-    best, least, p = -1, np.inf, at(x, node["row"])
-    for s in candidates:
-        xi, eta = centre(segments[s]["triangle"])
-        _, _, _, away, _ = project_node(x, segments[s], p, xi, eta)
-        if dot(away, away) < least:
-            best, least = s, dot(away, away)
-    return best
 
 
 @uncounted

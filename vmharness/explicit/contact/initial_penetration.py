@@ -11,11 +11,11 @@ import numpy as np
 
 from vmharness.deck import Entry
 from vmharness.explicit.contact.contact import Contact
-from vmharness.explicit.contact.detection import ROUND_OFF, nearest_segment
+from vmharness.explicit.contact.detection import ROUND_OFF
 from vmharness.explicit.contact.geometry import at, beyond, corners, size
 from vmharness.explicit.contact.projection import half_thickness, height_over, project_node
 from vmharness.explicit.contact.records import Records, Tracked
-from vmharness.explicit.contact.search import find_candidates, mean_size
+from vmharness.explicit.contact.search import find_candidates, mean_size, nearest_segment
 from vmharness.explicit.kernels.compiled import kernel
 from vmharness.explicit.kernels.vector import dot, scale
 from vmharness.explicit.model.model import Model

@@ -6,10 +6,11 @@ indices, so that distant nodes cost nothing. Each segment then searches the few 
 
 import numpy as np
 
-from vmharness.explicit.contact.geometry import at
+from vmharness.explicit.contact.geometry import at, centre
+from vmharness.explicit.contact.projection import project_node
 from vmharness.explicit.contact.records import Record, Records
-from vmharness.explicit.kernels.compiled import kernel
-from vmharness.explicit.kernels.vector import Vector, inlined
+from vmharness.explicit.kernels.compiled import kernel, uncounted
+from vmharness.explicit.kernels.vector import Vector, dot, inlined
 from vmharness.explicit.state import Array, Index
 
 
@@ -125,3 +126,15 @@ def find_candidates(x: Array, nodes: Records, segments: Records, reach: float) -
             first = np.cumsum(first)
             found, fill = np.empty(first[-1], np.intp), first.copy()
     return first, found
+
+
+@uncounted
+def nearest_segment(segments: Records, candidates: Index, x: Array, node: Record) -> int:
+    """The candidate segment that is nearest to a node, or -1."""
+    best, least, p = -1, np.inf, at(x, node["row"])
+    for s in candidates:
+        xi, eta = centre(segments[s]["triangle"])
+        _, _, _, away, _ = project_node(x, segments[s], p, xi, eta)
+        if dot(away, away) < least:
+            best, least = s, dot(away, away)
+    return best

@@ -75,7 +75,7 @@ def _check_parts(deck: Deck, every: ContactFaces, entry: Entry, field: str, kind
 
 
 def _check_beams(deck: Deck, entry: Entry, field: str, exempt: list[int]) -> None:
-    """All that the deck has, but for parts that are exempt, is shells and solids, or nothing that touches."""
+    """All that the deck has, but for parts that are exempt, is shells and solids, or has no surface."""
     for table in deck.all(ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION):
         for pid in table.pid[~np.isin(table.pid, exempt)][:1]:
             what = f"part {pid} is beams, whose contact is not supported; name the parts without them, by a part set"
@@ -89,7 +89,7 @@ def _segment_set(deck: Deck, model: Model, every: ContactFaces, entry: Entry, fi
     keys = corner_sets(np.concatenate([nodes, every.nodes]))
     _, place = np.unique(keys, axis=0, return_inverse=True)
     wanted, there = np.split(place.ravel(), [nodes.shape[0]])
-    # Of faces with the same corners the last of these wins: a shell before a solid, the stiffer before the softer.
+    # Of faces with the same corners the last in this order is taken: shells before solids, stiff before soft ones.
     order = np.lexsort([every.penalty, every.shell])
     face = np.full(place.max(initial=-1) + 1, -1)
     face[there[order]] = order
