@@ -1,4 +1,4 @@
-"""The manual: pages of cases, an index over them, and results for machines."""
+"""The manual: pages of cases, their index, and exports of the results."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -36,7 +36,7 @@ def write_case(run: CaseRun, folder: Path, volatile: bool = True, indexed: bool 
 
 
 def write_index(runs: list[CaseRun], folder: Path, unrun: Sequence[Unrun] = ()) -> list[Path]:
-    """Write the index over `runs`, and the cases without one, into `folder` in every format; raises OSError."""
+    """Write the index of `runs` and of cases without a run into `folder`, in every format; raises OSError."""
     from vmharness.report.index import index
     from vmharness.report.records import summaries
     from vmharness.report.sections import faults
@@ -48,10 +48,10 @@ def write_index(runs: list[CaseRun], folder: Path, unrun: Sequence[Unrun] = ()) 
 
 
 def formats() -> list[str]:
-    """The formats for machines, by name: each a file that is written where it is asked for."""
+    """The names of the export formats."""
     return plugins.names(FILES)
 
 
 def render(name: str, runs: list[CaseRun], unrun: Sequence[Unrun] = ()) -> str:
-    """All runs, and the cases without one, in the format `name` of `formats()`."""
+    """All runs, and the cases without a run, in the export format `name`."""
     return str(plugins.module(FILES, name).render(runs, unrun))

@@ -1,4 +1,4 @@
-"""Blocks of a page, whatever its format: drawings, tables of text, sections."""
+"""Blocks of a page for all formats: drawings, tables of text, sections."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Figure:
-    """A drawing: the stem of its file, its caption, its <svg> element."""
+    """A drawing: the name of its file without suffix, its caption, its <svg> element."""
 
     name: str
     caption: str
@@ -15,7 +15,7 @@ class Figure:
 
 @dataclass(frozen=True)
 class Table:
-    """Rows of text under a head; columns from `numbers` on are numbers, but for the last `words`."""
+    """Rows of text under a head; the columns from `numbers` on hold numbers, except the last `words` columns."""
 
     head: Sequence[str]
     rows: Sequence[Sequence[str]]
@@ -23,7 +23,7 @@ class Table:
     words: int = 0
 
     def is_number(self, column: int) -> bool:
-        """Whether a column is of numbers."""
+        """Whether a column holds numbers."""
         return self.numbers <= column < len(self.head) - self.words
 
 
@@ -37,4 +37,4 @@ class Section:
     tables: Sequence[Table] = ()
     figures: Sequence[Figure] = ()
     remarks: Sequence[str] = ()
-    made: str = ""  # what made the record that all this is from
+    made: str = ""  # the solver and sources of its record, as a sentence

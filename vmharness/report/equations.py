@@ -1,4 +1,4 @@
-"""Lines of theory, typeset."""
+"""Typeset lines of theory and data."""
 
 from vmharness.formula import Formula, Unit, equation
 from vmharness.report.number import given, short

@@ -1,4 +1,4 @@
-"""The index of the manual: all cases of a run, the worst first."""
+"""Content of the index: all cases of a run, failures first."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ class Line:
 
 @dataclass(frozen=True)
 class Index:
-    """All that a format needs to write the index."""
+    """The content of the index, for every format."""
 
     unrun: Sequence[Unrun]  # cases that nothing can be said of but why
     solvers: Mapping[
@@ -42,7 +42,7 @@ def index(
     studies: Mapping[str, Sequence[str]],
     detection: Section | None = None,
 ) -> Index:
-    """Order the runs for the index; the cases without one come before them. `studies` are by case."""
+    """The index of `runs` and of cases without a run, which come first; `studies` are findings by case."""
     solvers: dict[str, list[Line]] = {}
     coverage: dict[str, list[CaseRun]] = {}
     for run in _worst_first(runs):
@@ -63,7 +63,7 @@ def index(
 
 
 def _worst_first(runs: Sequence[CaseRun]) -> list[CaseRun]:
-    """By verdict, then by the largest share of a tolerance, then by id."""
+    """Sort key: verdict, then largest share of a tolerance, then id."""
     by_id = sorted(runs, key=lambda run: run.case.id)
     by_share = ordered(by_id, lambda run: -(row.used or 0.0) if (row := worst_row(run)) else 0.0)
     return sorted(by_share, key=lambda run: ORDER[run.verdict])

@@ -1,4 +1,4 @@
-"""Numbers as the report prints them: a fixed number of digits, no negative zero, a dash for what is not there.
+"""Numbers as the report prints them: a fixed number of digits, no negative zero, a dash for a missing value.
 
 Round-off is taken off before: a number half-way between two of fewer digits prints alike on every machine.
 """
@@ -35,7 +35,7 @@ def short(value: float | None) -> str:
 
 
 def given(value: float) -> str:
-    """All the digits of a datum, as few as say it exactly.
+    """The fewest digits that give a datum exactly.
 
     >>> given(0.5), given(386.0), given(1973.8886), given(3.0e7), given(7.3e-4)
     ('0.5', '386', '1973.8886', '3e7', '0.00073')
@@ -61,7 +61,7 @@ def decimals(value: float | None, places: int = 4) -> str:
 
 
 def positional(value: float | None, digits: int = 3) -> str:
-    """A few significant digits, with an exponent only from six zeros on: for tolerances and budgets in percent.
+    """A few significant digits, without an exponent above 1e-6: for tolerances and budgets in percent.
 
     >>> positional(5e-5), positional(0.001), positional(0.0005493, 2), positional(-9.24e-10, 2), positional(None)
     ('0.00005', '0.001', '0.00055', '-9.2e-10', '–')
@@ -75,7 +75,7 @@ def positional(value: float | None, digits: int = 3) -> str:
 
 
 def fraction(value: float | None, target: float, unit: str) -> str:
-    """A number of an error budget: in percent of the target, or in its unit where the target is zero.
+    """A number of an error budget: in percent of the target, or in its unit if the target is zero.
 
     >>> fraction(5.5e-6, 2.0, "m"), fraction(5e-7, 0.0, "m"), fraction(None, 2.0, "m")
     ('0.00055', '5e-7 m', '–')
@@ -86,7 +86,7 @@ def fraction(value: float | None, target: float, unit: str) -> str:
 
 
 def share(value: float | None) -> str:
-    """A share of a tolerance in whole percent, or how many times it was exceeded.
+    """A share of a tolerance in whole percent, or as a multiple if it is large.
 
     >>> share(0.3391), share(0.0004), share(1.25), share(283.2), share(None)
     ('34 %', '<1 %', '125 %', '283 ×', '–')

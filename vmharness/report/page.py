@@ -1,4 +1,4 @@
-"""The page of a case: what every format of it shows, with nothing of how it is written."""
+"""Content of the page of a case, the same for every format."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ from vmharness.studies.sensitivity import Sensitivity, sensitivities
 
 @dataclass(frozen=True)
 class Datum:
-    """A given number."""
+    """A given datum, with its text."""
 
     name: str
     value: float  # in its own unit
@@ -43,7 +43,7 @@ class TheoryLine:
 
 @dataclass(frozen=True)
 class PlantedFault:
-    """A declared fault, and how far theory says that it moves each result that must fail."""
+    """A declared fault, and the change by theory of each result that must fail."""
 
     fault: Fault
     moves: Mapping[str, Move | None]  # by key; None where theory cannot say
@@ -51,7 +51,7 @@ class PlantedFault:
 
 @dataclass(frozen=True)
 class Page:
-    """All that a format needs to write the page of one case."""
+    """The content of a page, for every format."""
 
     run: CaseRun
     solver: str  # without its version, which would change the page with every release
@@ -73,7 +73,7 @@ class Page:
 
 
 def page(run: CaseRun, volatile: bool = True, indexed: bool = False, studies: Studies | None = None) -> Page:
-    """Everything on the page of a run; figures are drawn here, once for all formats."""
+    """The content of the page of a run; figures are drawn here, once for all formats."""
     studies = studies or Studies()
     case, solver = run.case, short_name(run.solution.solver)
     return Page(
@@ -104,7 +104,7 @@ def worst_row(run: CaseRun) -> Row | None:
 
 
 def _errors(run: CaseRun) -> dict[str, float]:
-    """Of the results that have one, as fractions of the targets."""
+    """Errors as fractions of the targets, for the results that have one."""
     percents = {row.key: row.comparison.error_percent for row in run.rows}
     return {key: percent / 100.0 for key, percent in percents.items() if percent is not None}
 

@@ -1,4 +1,4 @@
-"""The prose of a case: its README.md, taken apart by section, and turned into HTML."""
+"""Prose of a case: the sections of its README.md, as Markdown and as HTML."""
 
 import base64
 import re
@@ -12,7 +12,7 @@ _IMAGE = re.compile(r"!\[[^\]]*\]\(([^)\s]+)[^)]*\)")
 
 
 def sections(case: Case) -> dict[str, str]:
-    """Markdown of each section, by its title, in order; what stands before the first `## ` is the file's own head."""
+    """Markdown of each section by title, in order; the text before the first `## ` is left out."""
     path = case.folder / FILE
     text = path.read_text(encoding="utf-8") if path.is_file() else ""
     parts = re.split(r"^## +(.+?)\s*$", text, flags=re.MULTILINE)
@@ -20,7 +20,7 @@ def sections(case: Case) -> dict[str, str]:
 
 
 def pictures(case: Case) -> dict[str, Path]:
-    """The drawings (SVG) of the case's folder that its prose shows, by name; nothing outside the folder."""
+    """The drawings (SVG) in the case folder that the prose shows, by name."""
     return {
         name: case.folder / name
         for name in _named(case)
@@ -29,7 +29,7 @@ def pictures(case: Case) -> dict[str, Path]:
 
 
 def review(case: Case) -> list[str]:
-    """What the page would lack, as sentences."""
+    """Sentences on missing prose and drawings."""
     if not (case.folder / FILE).is_file():
         return [f"{FILE}: there is no such file in the case's folder"]
     found = pictures(case)
@@ -41,12 +41,12 @@ def review(case: Case) -> list[str]:
 
 
 def _named(case: Case) -> list[str]:
-    """The images that the prose asks for."""
+    """Names of the images in the prose."""
     return sorted({name for body in sections(case).values() for name in _IMAGE.findall(body)})
 
 
 def html(markdown: str, found: dict[str, Path]) -> str:
-    """HTML of a section; pictures are embedded as images, in which no script can run."""
+    """HTML of a section; drawings are embedded as images, in which scripts cannot run."""
     from markdown_it import MarkdownIt
 
     parser = MarkdownIt("commonmark", {"html": False}).enable("table")
@@ -64,5 +64,5 @@ def _figure(name: str, caption: str, found: dict[str, Path]) -> str:
 
 
 def data_link(content: bytes, kind: str) -> str:
-    """The content of a file as a link that needs no other file."""
+    """The content of a file as a data link, which needs no other file."""
     return f"data:{kind};base64,{base64.b64encode(content).decode('ascii')}"

@@ -1,10 +1,10 @@
-"""The name of a solver."""
+"""Name of a solver without its version."""
 
 import re
 
 
 def short_name(solver: str) -> str:
-    """The name without the version.
+    """The name of a solver without its version.
 
     >>> short_name("vmharness 0.1.0"), short_name("LS-DYNA"), short_name("")
     ('vmharness', 'LS-DYNA', 'solver')

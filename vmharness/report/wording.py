@@ -1,4 +1,4 @@
-"""Sentences that every format of the manual says in the same words."""
+"""Sentences of the pages that are the same in every format."""
 
 from collections.abc import Mapping
 
@@ -19,7 +19,7 @@ def sign(verdict: Verdict) -> str:
 
 
 def badge(verdict: Verdict) -> str:
-    """The verdict with its sign, so that colour is never needed to tell it.
+    """The verdict with its sign, which is clear without colour.
 
     >>> badge(Verdict.FAIL)
     '✗ fail'

@@ -1,1 +1,1 @@
-"""Studies: many variants of a case, run to show that a pass means something."""
+"""Studies: many runs of variants of a case, which test the case and its tolerances."""

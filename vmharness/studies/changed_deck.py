@@ -1,4 +1,4 @@
-"""Decks with other entries: what a study changes beyond the parameters that the deck has."""
+"""Cases with changed entries of the deck, for changes that no parameter can make."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
@@ -11,7 +11,7 @@ from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 
 
 def with_entries(case: Case, change: Callable[[Deck], Iterable[Entry]]) -> Case:
-    """The case with the entries that `change` makes of its resolved deck's, as a deck that runs elsewhere, too.
+    """The case with the entries that `change` makes of those of its resolved deck; any solver can run this deck.
 
     Numbers of more than 20 characters lose their last digits, at most 1e-12 of their value (`write_long`). Raises
     DeckError where the case's own deck cannot be read.
@@ -43,7 +43,7 @@ def with_stiffer_contacts(case: Case, factor: float) -> Case:
 
 
 def contact_scales(case: Case) -> list[float]:
-    """What scales the stiffness of its contacts: SLSFAC, then SFSA and SFSB of each; the first alone without any."""
+    """The scale factors of the contact stiffness: SLSFAC, then SFSA and SFSB of each contact."""
     deck = read_deck(case)
     control = deck.first(CONTROL_CONTACT)
     contacts = [entry for entry in deck.entries if entry.keyword.name.startswith("CONTACT_")]

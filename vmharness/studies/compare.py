@@ -1,4 +1,4 @@
-"""Two runs of the manual, result by result: solvers, versions, machines."""
+"""Comparison of two runs of the manual, result by result."""
 
 import math
 from dataclasses import dataclass, field
@@ -33,7 +33,7 @@ class CaseOfRun:
 
 @dataclass(frozen=True)
 class Run:
-    """The file that `vm run --json` writes; keys that are not here are of no concern."""
+    """The file that `vm run --json` writes; other keys are ignored."""
 
     schema: int
     version: str
@@ -42,7 +42,7 @@ class Run:
 
 @dataclass(frozen=True)
 class Pair:
-    """A result of two runs; what is None is missing there."""
+    """A result of two runs; None is a missing value."""
 
     case: str
     key: str
@@ -56,13 +56,13 @@ class Pair:
 
     @property
     def worse(self) -> bool:
-        """The second run has no such result, or a worse verdict on it."""
+        """Whether the second run lacks the result or has a worse verdict."""
         first, second = self.verdicts
         return RANK.get(second, 3) > RANK.get(first, 3)
 
 
 def pairs(first: Run, second: Run) -> list[Pair]:
-    """Every result of either run, beside that of the other; the largest share of a tolerance first."""
+    """Every result of either run with that of the other; the largest share of a tolerance first."""
     cases = {_name(case): case for case in first.cases}, {_name(case): case for case in second.cases}
     found = []
     for name in dict.fromkeys([*cases[0], *cases[1]]):

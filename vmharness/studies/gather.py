@@ -28,10 +28,10 @@ def gather(
     plant: Plant | None = None,
     workers: Pool | None = None,
 ) -> Iterator[Step]:
-    """Yield (number of the variant, Began or Progress or its Measured) until each is Measured, which it is once.
+    """Yield (number of the variant, Began or Progress or Measured) until each variant is Measured, once each.
 
-    What was run before is read from disk, and kept there as soon as it is known: interrupt, and begin again where it
-    ended. Variants that are alike run once. A crash or a time limit is a failure of that variant alone. Variants with a
+    Outcomes are written to disk at once and read from there, so an interrupted study continues where it ended. Equal
+    variants run once. A crash or a time limit is a failure of that variant alone. Variants with a
     `fault` run in processes of their own, in which `plant(fault)` comes before the solver is imported.
     Those without one run in `workers`, as `pool` makes them, if they are given: to begin again and again costs seconds.
     """
@@ -61,7 +61,7 @@ def gather(
 
 
 def pool(jobs: int, solver: str) -> Pool:
-    """Workers for one `gather` after the other, to be left as a context."""
+    """Workers for several calls of `gather`; a context."""
     return Pool(jobs, serving, solver, "", None)
 
 

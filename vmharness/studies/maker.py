@@ -9,12 +9,12 @@ from vmharness.studies.sources import sources
 
 @dataclass(frozen=True)
 class Maker:
-    """The solver and the sources that the measured values of a record come from, whatever the machine."""
+    """The solver and the sources of the measured values of a record, independent of the machine."""
 
     solver: str  # name and version, as its runs say them
     sources: str  # sha256
 
 
 def maker(outcomes: Iterable[Measured]) -> Maker:
-    """The solver as the runs name it, and these sources; no name if every run was lost."""
+    """The solver as its runs name it, and the present sources; no name if every run was lost."""
     return Maker(next((outcome.solver for outcome in outcomes if outcome.solver), ""), sources())

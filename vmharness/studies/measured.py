@@ -1,4 +1,4 @@
-"""What a variant of a case gave: small enough to send between processes and to keep on disk."""
+"""Outcome of a variant of a case, small enough to send between processes and to keep on disk."""
 
 import hashlib
 import math
@@ -30,7 +30,7 @@ class Value:
 
     @property
     def is_round_off(self) -> bool:
-        """Whether the error is no more than round-off."""
+        """Whether the error is only round-off."""
         return self.error is not None and abs(self.error) <= ROUND_OFF
 
 
@@ -71,7 +71,7 @@ class Measured:
 
 
 def measured(run: "CaseRun", strides: Sequence[int] = ()) -> Measured:
-    """What is kept of a run, with its results as read from every n-th sample for each n of `strides`."""
+    """The outcome of a run, with its results read from every n-th sample for each n of `strides`."""
     from vmharness.studies.thinning import phases
 
     solution = run.solution

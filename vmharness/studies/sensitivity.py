@@ -1,9 +1,9 @@
-"""How much each given datum moves each target, and so how large a fault must be for a result to see it.
+"""Sensitivity of each target to each given datum, and the smallest error of a datum that makes a result fail.
 
     s = d ln target / d ln datum        percent per percent
 
 by central differences of the formulas, of the fourth order: (4 D(h) - D(2 h)) / 3 with D(h) = (f(1+h) - f(1-h)) / 2h.
-Where D(h) and D(2 h) do not agree, the formula has a kink or jump here, and no derivative is given.
+If D(h) and D(2 h) do not agree, the formula has a kink or jump here, and there is no derivative.
 """
 
 from collections.abc import Mapping, Sequence
@@ -24,7 +24,7 @@ DIGITS, PLACES = 6, 9  # of a derivative that are no round-off: that of the form
 
 @dataclass(frozen=True)
 class Sensitivity:
-    """What one datum does to one result."""
+    """Sensitivity of one result to one datum."""
 
     percent: float | None  # of the target per percent of the datum; None where that has no meaning
     seen: (
@@ -33,7 +33,7 @@ class Sensitivity:
 
 
 def sensitivities(case: Case) -> dict[str, dict[str, Sensitivity]]:
-    """By datum, then by key of the result; a datum that is zero has no percent and is left out."""
+    """Sensitivities by datum, then by key of the result; a datum of zero is left out."""
     return {name: _of(case, name) for name, value in case.given.items() if value != 0.0}
 
 

@@ -1,4 +1,4 @@
-"""Results read from every n-th sample of a history: what the spacing of the samples does, the motion being the same."""
+"""Results read from every n-th sample of a history: the effect of the spacing of the samples on the same motion."""
 
 from vmharness.case import Case
 from vmharness.formula import Unit
@@ -13,7 +13,7 @@ def phases(case: Case, history: History, stride: int) -> dict[str, list[float | 
 
 
 def read_all(case: Case, history: History) -> dict[str, float | None]:
-    """Every result of the case in its unit, by key; None where its event or its time is not in the history."""
+    """Every result of the case in its unit, by key; None if its event is not in the history."""
     events = {name: find_event(case, name, history) for name in case.file.events}
     found: dict[str, float | None] = {}
     for result in case.file.results:

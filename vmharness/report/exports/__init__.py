@@ -1,1 +1,1 @@
-"""Formats for machines, one a file: each renders all runs as one text; the folder is the list."""
+"""Export formats: each module of this folder renders all runs as one text."""

@@ -1,4 +1,4 @@
-"""Results as JSON; `schema` moves when the meaning of a key does."""
+"""Results as JSON; the number `schema` changes with the meaning of a key."""
 
 import json
 import math
@@ -13,14 +13,14 @@ SCHEMA = 1
 
 
 def render(runs: Sequence[CaseRun], unrun: Sequence[Unrun]) -> str:
-    """All runs, then the cases without one; what is not there, not a number or infinite is null."""
+    """All runs, then the cases without a run; missing values, NaN and infinity are null."""
     cases = [*map(_case, runs), *map(_unrun, unrun)]
     document = {"schema": SCHEMA, "version": __version__, "cases": cases}
     return json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def _case(run: CaseRun) -> dict[str, Any]:
-    """A run; `set` holds the data that are not the case's own, each in its unit, if there are any."""
+    """A run; `set` has the data that differ from those of the case, each in its unit."""
     case = run.case
     changed = {name: case.datum(name) for name in case.file.given if name in case.changed}
     return {
@@ -36,7 +36,7 @@ def _case(run: CaseRun) -> dict[str, Any]:
 
 
 def _unrun(case: Unrun) -> dict[str, Any]:
-    """Missing is a failure: the case is there, with the reason in place of results."""
+    """A case without a run is an error, with a reason in place of results."""
     return {
         "id": case.id,
         "title": "",

@@ -1,4 +1,4 @@
-"""Results as JUnit XML, as continuous integration reads it: a suite a case, a test a result."""
+"""Results as JUnit XML for continuous integration: one suite for each case, one test for each result."""
 
 import re
 from collections.abc import Sequence
@@ -9,12 +9,12 @@ from vmharness.compare import Verdict
 from vmharness.report.number import decimals, positional, significant
 from vmharness.result import CaseRun, Row, Unrun
 
-# What XML 1.0 cannot hold, even escaped.
+# Characters that XML 1.0 does not allow, even escaped.
 _ILLEGAL = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def render(runs: Sequence[CaseRun], unrun: Sequence[Unrun]) -> str:
-    """All runs as one document, then a suite with one error for each case without one."""
+    """All runs as one document; a case without a run is a suite with one error."""
     suites = [*map(_suite, runs), *map(_unrun, unrun)]
     root = Element("testsuites", {"name": "vmharness", **_totals(suites)})
     root.extend(suites)
@@ -47,7 +47,7 @@ def _unrun(case: Unrun) -> Element:
 
 
 def _counted(suite: Element, tests: list[Element], seconds: float) -> Element:
-    """The suite with its tests, and how many of them there are of each kind."""
+    """The suite with its tests and their counts."""
     suite.extend(tests)
     suite.attrib |= {
         "tests": str(len(tests)),
@@ -90,5 +90,5 @@ def _totals(suites: list[Element]) -> dict[str, str]:
 
 
 def _legal(text: str) -> str:
-    """The text with a question mark for each character that XML cannot hold."""
+    """The text with a question mark for each character that XML does not allow."""
     return _ILLEGAL.sub("?", text)

@@ -1,1 +1,1 @@
-"""The figures of a case's page."""
+"""Figures of the page of a case."""

@@ -1,4 +1,4 @@
-"""Units and powers of ten in plain characters: to draw them as formulas is slow, and their outlines are a font's."""
+"""Units and powers of ten as plain text, which is faster to draw than formulas."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""Computed history and theory on one grid of time, ready to be drawn."""
+"""Computed history and theory on a common grid of time, for drawing."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -32,7 +32,7 @@ class Curve:
 
 
 def curves(run: CaseRun) -> list[list[Curve]]:
-    """The channels that have theory over time, those of one unit together: a list for each figure."""
+    """The channels with theory over time, grouped by unit: one list for each figure."""
     history = run.solution.history
     if history is None or len(history) < 3:
         return []
@@ -72,7 +72,7 @@ def _unit(case: Case, name: str) -> str:
 
 
 def _allowed(run: CaseRun, channel: str) -> dict[str, tuple[float, float]]:
-    """When and how far the channel may differ from theory: the tolerances of the results that are read from it."""
+    """Times and sizes of the allowed differences: tolerances of the results of the channel."""
     allowed = {}
     for row in run.rows:
         result = run.case.result(row.key)

@@ -1,4 +1,4 @@
-"""Faces of solids that show: those of one solid only, far ones first, so that near ones cover them."""
+"""Visible faces of solids: those of one solid only, sorted from far to near."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,7 @@ FACES = (
 
 
 def outer(solids: Index) -> Index:
-    """Nodes (nf, 4) of the faces that no two of the hexahedra (ne, 8) share.
+    """Nodes (nf, 4) of the faces that belong to one of the hexahedra (ne, 8) only.
 
     >>> two = np.array([[0, 1, 2, 3, 4, 5, 6, 7], [4, 5, 6, 7, 8, 9, 10, 11]])
     >>> len(outer(two))

@@ -1,4 +1,4 @@
-"""Computed history with theory over it, events marked, and the difference below."""
+"""Computed history and theory, with events, and their difference below."""
 
 from textwrap import fill
 from typing import TYPE_CHECKING, Any, Literal
@@ -73,14 +73,14 @@ def _panels(figure: "Figure", bottom: float, top: float) -> tuple["Axes", "Axes"
 
 
 def quantity(run: CaseRun, together: list[Curve]) -> str:
-    """What the curves of a figure are, together."""
+    """The common name of the curves of a figure."""
     if len(together) > 1 and all(run.case.file.channels[curve.channel].energy for curve in together):
         return "Energy"
     return joined([curve.label for curve in together])
 
 
 def joined(labels: list[str]) -> str:
-    """Labels one after the other, without the words that all begin with after the first.
+    """Labels in a row; common first words are written once.
 
     >>> joined(["Displacement of the front end", "Displacement of the free end"]), joined(["Kinetic", "Potential"])
     ('Displacement of the front end, free end', 'Kinetic, Potential')
@@ -92,7 +92,7 @@ def joined(labels: list[str]) -> str:
 
 
 def _entries(together: list[Curve], solver: str) -> list[Entry]:
-    """The key: of one curve its line and its mark, of several each by its name."""
+    """The key: line and mark of a single curve, or the name of each of several curves."""
     if len(together) == 1:
         return [(solver, _line(0)), ("theory", _mark(0))]
     return [
@@ -189,7 +189,7 @@ def _power(size: float, most: int = 4) -> int:
 
 
 def _written_in(axes: "Axes", which: Literal["x", "y"], power: int) -> None:
-    """Write the numbers of an axis in a power of ten, which its title says: matplotlib's own would lie on that."""
+    """Write the numbers of an axis as multiples of a power of ten, which the title of the axis names."""
     if power:
         axes.ticklabel_format(axis=which, style="sci", scilimits=(power, power), useOffset=False)
     else:
@@ -203,10 +203,10 @@ def _in(power: int, unit_text: str) -> str:
 
 
 def _titled(what: str, unit_text: str) -> str:
-    """What a vertical axis is, with its unit, in lines that fit the axes."""
+    """The title of a vertical axis with its unit, in lines that fit the axes."""
     return fill(f"{what} ({unit_text})" if unit_text else what, LINE)
 
 
 def _title(axes: "Axes", title: str) -> None:
-    """What the vertical axis is, on top of it."""
+    """Write the title of the vertical axis above it."""
     note(axes, title, (0.0, 1.0), (0, 7), xycoords="axes fraction", color=INK)

@@ -1,4 +1,4 @@
-"""The key of a drawing: a line and a mark for each thing in it, and what it is.
+"""Key of a drawing: a line, a mark and a name for each entry.
 
 A legend of matplotlib is laid out by the size of its letters, which is up to the version of a font; this one stands
 where it is put.
@@ -20,7 +20,7 @@ ROW = 16.0  # points
 
 
 def columns(labels: Iterable[str], most: int) -> int:
-    """How many entries stand side by side below a drawing: at most `most`, fewer where the longest label needs room.
+    """Number of entries in a row below a drawing: at most `most`, fewer for long labels.
 
     >>> columns(["z", "v"], 3), columns(["Displacement of the front end", "z"], 3), columns(["z" * 60], 3)
     (3, 2, 1)

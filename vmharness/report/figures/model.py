@@ -62,7 +62,7 @@ def draw(view: View, case: str, acceleration: str) -> str:
 
 
 def _entries(view: View) -> list[Entry]:
-    """The key: what there is, and how much of it."""
+    """The key: each kind of entity, and its number."""
     tracked = sum(nodes.size for nodes, _ in view.contacts)
     segments = sum(segments.shape[0] for _, segments in view.contacts)
     entries = [
@@ -138,7 +138,7 @@ def _nodes(axes: "Axes", view: View, at: Array) -> None:
 
 
 def _numbers(axes: "Axes", view: View, at: Array) -> None:
-    """The numbers of the nodes; nodes that fall on one place share a note."""
+    """The numbers of the nodes; nodes at one position share a note."""
     middle = at[:, 0].mean()
     acted = {tuple(np.round(ISOMETRIC @ place, 9)) for where, _ in view.arrows.values() for place in where}
     places, group = np.unique(np.round(at, 9), axis=0, return_inverse=True)
@@ -152,7 +152,7 @@ def _numbers(axes: "Axes", view: View, at: Array) -> None:
 
 
 def _arrows(axes: "Axes", view: View, at: Array, size: float) -> None:
-    """Forces and motions leave their node, or end there if they push inward, as pressure does; some of many."""
+    """Arrows of forces and motions, which start at their node or, as pressure, end there; not all of many."""
     middle = at.mean(axis=0)
     for what, (places, directions) in view.arrows.items():
         stride = _stride(len(places), MANY)
@@ -164,7 +164,7 @@ def _arrows(axes: "Axes", view: View, at: Array, size: float) -> None:
 
 
 def _body_load(axes: "Axes", view: View, at: Array, size: float, acceleration: str) -> None:
-    """An arrow the way that the body load pulls, beside the first mass or the middle of the model."""
+    """An arrow in the direction of the body load, beside the first mass or the middle of the model."""
     if not np.any(view.gravity):
         return
     start = (at[view.masses[0]] if view.masses.size else at.mean(axis=0)) + [0.17 * size, 0.0]
@@ -200,5 +200,5 @@ def _counted(count: int, what: str) -> str:
 
 
 def _stride(count: int, most: int) -> int:
-    """Every which one to draw, so that at most `most` are drawn."""
+    """Stride with which at most `most` of them are drawn."""
     return max(1, -(-count // most))

@@ -1,4 +1,4 @@
-"""Text in a drawing, placed by its baseline, line by line: how high letters are is up to the version of a font."""
+"""Text in a drawing, placed line by line by its baseline, which does not depend on the version of the font."""
 
 from typing import TYPE_CHECKING, Any
 

@@ -1,4 +1,4 @@
-"""Error against size, both logarithmic: a line for each result, with the slope that theory promises."""
+"""Error against size, both logarithmic: a line for each result, with the slope of the expected order."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -39,9 +39,9 @@ def draw(found: ConvergeRecord) -> str:
         what = "Time step" if found.refined == "time step" else "Size of the elements"
         in_unit = f" ({unit(found.unit)})" if found.unit else ""
         note(axes, f"{what}{in_unit}", (1.0, 0.0), (0, -26), xycoords="axes fraction", ha="right", color=INK)
-        note(axes, "Distance from theory, as a fraction of it", (0.0, 1.0), (0, 7), xycoords="axes fraction")
+        note(axes, "Error, as a fraction of the target", (0.0, 1.0), (0, 7), xycoords="axes fraction")
         key_below(figure, entries, side_by_side)
-        return svg.text(figure, "Distance of the results from theory over the size")
+        return svg.text(figure, "Error of the results over the size")
 
 
 def errors(found: ConvergeRecord, result: Refined) -> list[tuple[float, float]]:
@@ -58,7 +58,7 @@ def errors(found: ConvergeRecord, result: Refined) -> list[tuple[float, float]]:
 
 
 def _line(axes: "Axes", found: ConvergeRecord, result: Refined, i: int) -> Entry:
-    """Draw a result, dashed below it the promised slope through its coarsest level; returns its entry in the key."""
+    """Draw a result and, dashed, the expected slope through its coarsest level; returns its entry in the key."""
     size, error = np.array(errors(found, result)).T
     style: dict[str, Any] = {
         "color": COLOURS[i % len(COLOURS)],

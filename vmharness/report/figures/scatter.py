@@ -1,4 +1,4 @@
-"""Shares of tolerances over each swept datum: a panel a datum, a mark a point."""
+"""Shares of tolerances over each datum of a sweep: one panel for each datum, one mark for each point."""
 
 import math
 from typing import TYPE_CHECKING
@@ -36,11 +36,11 @@ def draw(found: SweepRecord) -> str:
         corner = figure.add_axes((0.075, 1.0 - 0.2 / height, 0.9, 0.0))
         corner.set_axis_off()
         note(corner, "Largest share of a tolerance", (0.0, 0.0), (0, 0), xycoords="axes fraction", color=INK)
-        return svg.text(figure, "Largest share of a tolerance over each swept datum")
+        return svg.text(figure, "Largest share of a tolerance over each datum")
 
 
 def _panel(axes: "Axes", found: SweepRecord, name: str, named: bool) -> None:
-    """The points over one datum: failing ones filled, those not judged left out."""
+    """The points over one datum: failing points are filled, points without a verdict are left out."""
     shares = {i: worst_share(found, i) for i in range(found.points) if i not in found.unjudged}
     top = max([1.0, *(share for share in shares.values() if math.isfinite(share))])
     axes.set_ylim(LEAST / 1.5, 3.0 * top)

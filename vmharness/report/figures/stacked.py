@@ -1,4 +1,4 @@
-"""Signed parts of differences as bars: a bar a result, a colour a cause, what moves up to the right of zero."""
+"""Parts of errors as bars: one bar for each result, one colour for each cause, positive parts to the right."""
 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
@@ -37,7 +37,7 @@ def draw(name: str, bars: Mapping[str, Mapping[str, float]], causes: Sequence[st
         note(axes, what, (1.0, 0.0), (0, -26), xycoords="axes fraction", ha="right", color=INK)
         styles = [{"color": _colour(causes, cause), "linewidth": 7.0} for cause in causes]
         key_below(figure, list(zip(causes, styles, strict=True)), side_by_side)
-        return svg.text(figure, f"Parts of the differences, {what[0].lower()}{what[1:]}")
+        return svg.text(figure, f"Parts of the errors, {what[0].lower()}{what[1:]}")
 
 
 def _bar(axes: "Axes", y: float, label: str, parts: Mapping[str, float], causes: Sequence[str]) -> None:
@@ -54,6 +54,6 @@ def _bar(axes: "Axes", y: float, label: str, parts: Mapping[str, float], causes:
 
 
 def _colour(causes: Sequence[str], cause: str) -> str:
-    """What is left has the quiet colour, which comes last."""
+    """The colour of a cause; the unexplained rest is grey."""
     number = list(causes).index(cause)
     return "#b9c0c6" if number == len(causes) - 1 else COLOURS[number % len(COLOURS)]

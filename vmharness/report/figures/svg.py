@@ -1,4 +1,4 @@
-"""A matplotlib figure to SVG text that is the same wherever and whenever it is drawn."""
+"""SVG text of a matplotlib figure, the same on every machine and in every run."""
 
 import hashlib
 import io
@@ -31,7 +31,7 @@ METADATA = dict.fromkeys(["Date", "Creator", "Format", "Type"])
 
 @contextmanager
 def style(name: str) -> Iterator[None]:
-    """The style within which a figure is made and written; a user's own settings have no part in it.
+    """Context with the style of the figures; settings of the user have no effect.
 
     Identifiers follow from `name`, so that several figures can share a page.
     """
@@ -45,7 +45,7 @@ def style(name: str) -> Iterator[None]:
 
 
 def text(figure: "Figure", description: str) -> str:
-    """The figure as an <svg> element, described for those who do not see it."""
+    """The figure as an <svg> element with a description for screen readers."""
     from matplotlib import rcParams
 
     buffer = io.StringIO()

@@ -1,1 +1,1 @@
-"""Formats of the manual, one a file: each renders the page of a case, and the index; the folder is the list."""
+"""Formats of the manual: each module of this folder renders the page of a case and the index."""

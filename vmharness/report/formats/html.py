@@ -1,4 +1,4 @@
-"""The manual as HTML: each page one file that opens offline, needs no script, and prints."""
+"""The manual as HTML: each page is one file that works offline, without scripts, and can be printed."""
 
 import datetime
 import platform
@@ -20,7 +20,7 @@ PACKAGES = ("numpy", "numba", "scipy", "matplotlib")
 
 
 def case(page: Page, folder: Path) -> str:
-    """The page of a case; nothing in it refers to `folder`, for it must stand alone."""
+    """The page of a case; it is complete in itself and does not use `folder`."""
     case = page.run.case
     pictures = prose.pictures(case)
     return render(
@@ -41,7 +41,7 @@ def case(page: Page, folder: Path) -> str:
 
 
 def _inputs(run: CaseRun) -> dict[str, bytes]:
-    """What was put into the run, by name: the deck is the one that ran."""
+    """The input files of the run by name; the deck is the one that ran."""
     case = run.case
     files = {name: (case.folder / name).read_bytes() for name in case.input_files}
     deck = run.solution.resolved_deck.encode() or case.deck_path.read_bytes()
@@ -49,12 +49,12 @@ def _inputs(run: CaseRun) -> dict[str, bytes]:
 
 
 def index(index: Index) -> str:
-    """The index; it links to the pages of the cases beside it."""
+    """The index, with links to the pages of the cases."""
     return render("index.html.j2", _filters(), index=index, wording=wording)
 
 
 def provenance(run: CaseRun) -> dict[str, str]:
-    """What this very run was made with: it differs from run to run and from machine to machine."""
+    """Solver, versions, machine and times of this run, which differ from run to run."""
     solution = run.solution
     return {
         "Solver": solution.solver,
@@ -73,12 +73,12 @@ def provenance(run: CaseRun) -> dict[str, str]:
 
 
 def _events(run: CaseRun) -> dict[str, str]:
-    """When each event was found, and how far the sampling leaves that open."""
+    """The time of each event and its uncertainty by sampling."""
     unit = run.case.file.units.time
     return {
         run.case.file.events[
             name
-        ].title: f"{event.time:.9g} {unit}, sampling leaves {event.uncertainty:.1g} {unit} open"
+        ].title: f"{event.time:.9g} {unit} ± {event.uncertainty:.1g} {unit} by sampling"
         for name, event in run.events.items()
         if isinstance(event, Event)
     }
@@ -118,7 +118,7 @@ def _filters() -> dict[str, Callable[..., str]]:
 
 
 def _signs(text: str) -> str:
-    """Prose in which the signs of numbers, and those alone, are minus signs.
+    """Text with minus signs in place of hyphens before numbers.
 
     >>> _signs("VM-061: -2.5e-3, by-product")
     'VM-061: −2.5e−3, by-product'
@@ -127,5 +127,5 @@ def _signs(text: str) -> str:
 
 
 def _minus(text: str) -> str:
-    """With the minus sign that is as wide as a digit."""
+    """A number with a minus sign in place of a hyphen."""
     return text.replace("-", "−")

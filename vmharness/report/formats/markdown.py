@@ -1,4 +1,4 @@
-"""The manual as Markdown that a code host renders: the same bytes wherever the same results are written."""
+"""The manual as Markdown for a code host; equal results give equal bytes."""
 
 import os
 from collections.abc import Callable
@@ -14,7 +14,7 @@ FILE = "README.md"
 
 
 def case(page: Page, folder: Path) -> str:
-    """The page of a case, to lie in `folder` beside its figures."""
+    """The page of a case, in `folder` beside its figures."""
     return render(
         "case.md.j2",
         _filters(),
@@ -29,7 +29,7 @@ def case(page: Page, folder: Path) -> str:
 
 
 def _inputs(run: CaseRun, folder: Path) -> list[tuple[str, str]]:
-    """Links to what was put into the run; a deck that is not the case's own lies beside the page."""
+    """Links to the input files; a deck other than that of the case is beside the page."""
     case = run.case
     deck = folder / case.deck_name if run.solution.resolved_deck else case.deck_path
     paths = {name: case.folder / name for name in case.input_files}
@@ -37,7 +37,7 @@ def _inputs(run: CaseRun, folder: Path) -> list[tuple[str, str]]:
 
 
 def index(index: Index) -> str:
-    """The index, to lie in the folder of the manual."""
+    """The index, in the folder of the manual."""
     return render("index.md.j2", _filters(), index=index, wording=wording)
 
 
@@ -54,17 +54,17 @@ def _filters() -> dict[str, Callable[..., str]]:
 
 
 def _plain(text: str) -> str:
-    """Text in which no tag is hidden."""
+    """Text with `<` escaped."""
     return text.replace("<", "&lt;")
 
 
 def _cell(text: str) -> str:
-    """Text that stays in its cell of a table."""
+    """Text for one cell of a table."""
     return " ".join(_plain(text).replace("|", "\\|").split())
 
 
 def _relative(path: Path, folder: Path) -> str:
-    """A link from `folder`, with the slashes of links."""
+    """A relative link from `folder`."""
     try:
         return Path(os.path.relpath(path, folder)).as_posix()
     except ValueError:  # another drive

@@ -1,16 +1,17 @@
-"""Studies on the page of a case, one a file; the folder is the list, and the order on the page.
+"""Sections of the page for the studies: one module for each study, in the order of the page.
 
-The study `converge` leaves studies/converge.json beside the page. The module of that name has
+The study `converge` writes the record studies/converge.json beside the page. The module `converge` has
 
     section(content, case) -> Section
 
-which makes of the file's bytes what the page shows, and its `summary` what the index shows; a study with drawings has
+which makes the section of the page from the bytes of the record; the index shows its `summary`. A study with drawings
+also has
 
     figures(content) -> list[Figure]
 
-too, which the index does without; one that has something to say of published columns has
+which the index does not need. A study with findings on published columns also has
 
     columns(content, case) -> dict[str, Section]
 
-by name of the column, which stands where the page tells of that.
+by name of the column; the page adds them to the section on that column.
 """

@@ -1,4 +1,4 @@
-"""The templates of the pages."""
+"""Templates of the pages."""
 
 from collections.abc import Callable, Mapping
 from functools import cache
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 def render(template: str, filters: Mapping[str, Callable[..., str]], **context: Any) -> str:
-    """The template with its context; `.html.j2` templates escape what they are given."""
+    """Render a template with its context; `.html.j2` templates escape their values."""
     environment = _environment(template.partition(".")[2])
     environment.filters.update(filters)
     return environment.get_template(template).render(**context)
@@ -18,7 +18,7 @@ def render(template: str, filters: Mapping[str, Callable[..., str]], **context: 
 
 @cache
 def _environment(kind: str) -> "Environment":
-    """One for each kind of page, for their filters differ; it keeps the templates that it has compiled."""
+    """The environment of one kind of page, with its own filters; it keeps compiled templates."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     return Environment(

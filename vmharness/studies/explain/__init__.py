@@ -1,1 +1,1 @@
-"""Value less target, cause by cause; the reading that gives a published column."""
+"""Causes of the error of each result, and readings of published columns."""

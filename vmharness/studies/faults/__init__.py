@@ -1,1 +1,1 @@
-"""Faults of the deck and of the solver, planted one at a time, and which results notice them."""
+"""Faults of the deck and of the solver, planted one at a time, and the results that catch them."""

@@ -1,4 +1,4 @@
-"""Plant a fault: one exact text of one module stands replaced when a process imports it. Neither module knows.
+"""Planting of a fault: when a process imports the module, one exact text of its source is replaced.
 
 The process must be new: what it has imported is sound. A kernel with the fault in it, at any depth, has a cache of its
 own, since it computes something else (explicit/kernels/meaning.py).
@@ -52,7 +52,7 @@ def source_of(module: str) -> str:
 
 
 class _Finder(MetaPathFinder):
-    """Finds the faulty module, and no other."""
+    """Import finder of the faulty module only."""
 
     def __init__(self, fault: SolverFault) -> None:
         self.fault = fault
@@ -75,7 +75,7 @@ class _Loader(SourceFileLoader):
         self.fault = fault
 
     def get_code(self, fullname: str) -> CodeType:
-        """From the source, not from the byte code beside it, which is that of the sound one; nor is any written."""
+        """Compile the faulty source; the cached byte code is that of the sound source, and none is written."""
         source = self.fault.planted(self.get_data(self.path).decode("utf-8"))
         code: CodeType = compile(source, self.path, "exec", dont_inherit=True)
         return code

@@ -10,7 +10,7 @@ class PlantError(Exception):
 
 @dataclass(frozen=True)
 class SolverFault:
-    """A fault: where it stands, the sound text and the faulty one."""
+    """A fault: its module, the sound text and the faulty text."""
 
     name: str  # that the records of studies refer to
     text: str  # what is wrong, in words

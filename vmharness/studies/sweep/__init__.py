@@ -1,1 +1,1 @@
-"""The formulas over a region of the given data."""
+"""Runs of a case over a region of the given data."""
