@@ -2,15 +2,18 @@
 
     build.py        a deck -> its model; the order of the passes, with reasons
     loop.py         the method: forces -> accelerations -> velocities -> positions
+    state.py        positions, velocities, forces, masses: the arrays that the loop updates
     force.py        what the loop asks of a force: elements, contacts, loads
     constraint.py   what the loop asks of a constraint: supports, motions, damping, walls, rigid bodies
     energy.py       energies, their ratio, and the check of their balance
+    threads.py      forces of all elements, by several threads if NCPU asks for them
+    supported.py    what the solver supports of each keyword; without_effect.py: keywords that change no result
     error.py        the error that ends a run
 
 Rooms by theory:
 
-    model        nodes, parts, sets and curves of the deck as arrays; the state
-    kernels      compilation and its cache; vectors, rotations, threads, elements side by side
+    model        nodes, parts, sets, curves and rigid bodies of the deck as arrays
+    kernels      compilation and its cache; vectors, rotations, elements side by side
     elements     beams, shells, solids, springs and dampers, masses        (drop-ins, by formulation)
     materials    constitutive laws for each state of stress                (drop-ins, by law)
     contact      penalty contact: search, force, friction; contact/kinds   (drop-ins, by kind)
@@ -18,7 +21,7 @@ Rooms by theory:
     probes       quantities of a running model                             (drop-ins, by kind)
     rigid        rigid bodies and their joints
     walls        planar rigid walls
-    constraints  supports and prescribed motions
+    constraints  supports and prescribed motion of nodes
     initial      velocities at t = 0
     damping      mass damping and stiffness damping
     timestep     limits of the step, mass scaling
