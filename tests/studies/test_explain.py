@@ -81,7 +81,7 @@ def test_a_penalty_that_is_no_datum_is_told_by_twice_the_stiffness(store, coarse
 
 
 def test_a_failed_run_is_not_explained(coarse):
-    with pytest.raises(CaseError, match="the run that is to be explained failed: it diverged"):
+    with pytest.raises(CaseError, match="the run of the unchanged case failed: it diverged"):
         record(coarse, {SOUND: Measured(failure="it diverged")})
 
 
