@@ -1,1 +1,1 @@
-"""Compilation of kernels and its cache, threads, vectors, rotations, elements side by side."""
+"""Compilation of kernels and its cache, vectors, rotations, elements side by side, updates of the time loop."""

@@ -22,7 +22,8 @@ At t_n, L_n = L_{n-1/2} + dt/2 T_n and omega_n = R_n I^-1 R_n^T L_n. The kinetic
 Rotations that are held (CMO of *MAT_RIGID) or driven (*BOUNDARY_PRESCRIBED_MOTION_RIGID) are given global components of
 omega; the others follow by the mobility R I^-1 R^T that is left (mobility.py).
 
-    definitions.py  body.py  inertia.py  element_mass.py     the bodies of the deck, their nodes, mass and inertia
+    body.py  inertia.py  element_mass.py                     the bodies of the deck: nodes, mass and inertia
+    initial_velocity.py                                      their velocities at t = 0
     integrate.py  mobility.py  bodies.py                     the step of all bodies: kernels, arrays
     joints.py  joint_equations.py  joint_cards.py            joints between bodies
     constraints.py  check.py  mass_shares.py  build.py       bodies in the time loop and beside other parts of a model
