@@ -108,7 +108,7 @@ def test_data_that_follow_are_set_with_the_point(case):
 def test_the_section_of_the_page(case):
     found = study(loose(case), 3)
     section = page.section(msgspec.json.encode(found), case)
-    assert section.summary.startswith("3 of 3 points, ")
+    assert section.summary.startswith("3 of 3 points pass, ")
     assert page.figures(msgspec.json.encode(found))[0].svg.startswith("<svg")
     assert section.tables[0].head[:3] == ["Result", "Points failed", "Largest share"]
     assert "k from 1000 to 4000 lbf/in" in section.text[0]

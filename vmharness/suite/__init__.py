@@ -1,1 +1,1 @@
-"""Many runs: which cases, in which processes, and what is to be said of them all."""
+"""Runs of many cases: selection, worker processes, outcomes and exit codes."""

@@ -1,4 +1,4 @@
-"""A case checked as far as it can be without running it."""
+"""Checks of a case that need no run."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 @dataclass
 class Review:
-    """What is wrong with a case, and what one should look at; sentences."""
+    """Sentences on errors of a case, and on doubtful points."""
 
     wrong: list[str] = field(default_factory=list)
     doubtful: list[str] = field(default_factory=list)
@@ -41,7 +41,7 @@ def check(folder: Path, errors: Mapping[str, float] | None = None, solver: str =
 
 
 def _deck(case: "Case", solver: str) -> list[str]:
-    """What keeps the solver from running the deck."""
+    """Reasons why the solver cannot run the deck."""
     from vmharness.backends import BackendError, backend
     from vmharness.case.deck import read_deck
     from vmharness.deck import DeckError
@@ -57,6 +57,6 @@ def _deck(case: "Case", solver: str) -> list[str]:
 
 
 def _with_parameters_set(case: "Case") -> "Case":
-    """The case with every parameter that data can set, set: the deck must have it, and as one that can be set."""
+    """The case with all its parameters set in the deck; the deck must have each of them as *PARAMETER."""
     values = {name: case.evaluate(f"parameter {name}") for name in case.file.deck.parameters}
     return replace(case, overrides=values)

@@ -1,4 +1,4 @@
-"""Cases solved in worker processes and judged here; nothing that a solver does takes the harness down."""
+"""Cases solved in worker processes and judged here; a crash of a solver does not stop the others."""
 
 import time
 import traceback

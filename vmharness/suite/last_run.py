@@ -1,4 +1,4 @@
-"""What became of each case when it was last run: what to run again, and how far it was from theory."""
+"""Record of the last run: status and errors of each case."""
 
 import json
 from collections.abc import Iterable
@@ -11,22 +11,22 @@ FILE = ".last-run.json"
 
 
 def read(folder: Path) -> dict[str, str]:
-    """Status by id; nothing where there is no such file, or one that cannot be read."""
+    """Status by id; empty if there is no readable record."""
     return {id: str(entry["status"]) for id, entry in _entries(folder).items()}
 
 
 def errors(folder: Path) -> dict[str, dict[str, float]]:
-    """By id, then by key: (value - target)/target of the results that had a value, and a target that is not zero."""
+    """Errors (value - target)/target by id, then by key, for results with a value and a target that is not zero."""
     return {id: entry.get("errors", {}) for id, entry in _entries(folder).items()}
 
 
 def not_passed(folder: Path) -> set[str]:
-    """Ids of the cases that did not pass when last run, or were not reached."""
+    """Ids of the cases that did not pass, or were not reached, in the last run."""
     return {id for id, status in read(folder).items() if status != Status.PASS}
 
 
 def write(folder: Path, outcomes: Iterable[Outcome]) -> None:
-    """Keep the new outcomes; those of cases that were not selected stay."""
+    """Write the new outcomes; those of other cases stay."""
     from vmharness.execution import atomic
 
     new = {outcome.id: {"status": str(outcome.status), "errors": _errors(outcome)} for outcome in outcomes}

@@ -1,4 +1,4 @@
-"""What became of a case that was selected, and the exit code that follows for all of them."""
+"""Outcome of a selected case, and the exit code of all outcomes."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -12,12 +12,12 @@ if TYPE_CHECKING:
 
 
 class Status(StrEnum):
-    """What can be said of a case, worst news first."""
+    """Status of a case, the worst first."""
 
     NOT_RUN = "not run"  # interrupted before it was done
     DEFECT = "defect"  # of the harness
     BROKEN = "case error"
-    UNWRITTEN = "not written"  # said of a file, never of a case
+    UNWRITTEN = "not written"  # of a file, never of a case
     UNJUDGED = "error"  # the solver is missing, crashed, or ran out of time
     FAIL = "fail"
     PASS = "pass"
@@ -37,7 +37,7 @@ NOTHING_SELECTED = 5
 
 @dataclass(frozen=True)
 class Unwritten:
-    """A file that could not be written, for its place is wrong or for a defect, and why."""
+    """A file that could not be written, with the reason."""
 
     what: str
     status: Status
@@ -47,7 +47,7 @@ class Unwritten:
 
 @dataclass(frozen=True)
 class Outcome:
-    """A selected case, what became of it, and why."""
+    """The outcome of a selected case, with the reason."""
 
     id: str
     status: Status
@@ -57,7 +57,7 @@ class Outcome:
 
     @property
     def share(self) -> float | None:
-        """The largest share of its tolerance that a result uses; None where there is none to speak of."""
+        """The largest share of its tolerance that a result uses; None without one."""
         shares = [row.comparison.share for row in self.run.rows] if self.run else []
         known = [share for share in shares if share is not None]
         return max(known) if known and len(known) == len(shares) else None
@@ -76,7 +76,7 @@ def exit_code(statuses: Iterable[Status]) -> int:
 
 
 def worst_first(outcomes: Iterable[Outcome]) -> list[Outcome]:
-    """In the order in which one wants to hear of them: by status, then by share of tolerance, then by id."""
+    """Sort outcomes by status, then by share of tolerance, then by id."""
     by_id = sorted(outcomes, key=lambda outcome: outcome.id)
     by_share = ordered(by_id, lambda outcome: -(outcome.share or 0.0))
     return sorted(by_share, key=lambda outcome: list(Status).index(outcome.status))

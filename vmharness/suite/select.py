@@ -1,4 +1,4 @@
-"""Which cases are meant: by id, pattern, path, words, tags. Reads no more of a case than its title and tags."""
+"""Selection of cases by id, pattern, path, words and tags; only titles and tags are read."""
 
 import difflib
 import tomllib
@@ -13,7 +13,7 @@ FILE = "case.toml"
 
 
 class SelectError(ValueError):
-    """A selection that means nothing."""
+    """A selection that is wrong."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Entry:
 
 
 def cases_folder(chosen: Path | None = None) -> Path:
-    """Where the cases are: the `chosen` folder, else ./cases if it holds any, else those of the package."""
+    """The folder of the cases: `chosen`, else ./cases if it has cases, else that of the package."""
     if chosen is not None:
         if not chosen.is_dir():
             raise SelectError(f"no folder {chosen}")
@@ -50,7 +50,7 @@ def entries(folder: Path) -> list[Entry]:
 
 
 def entry(folder: Path) -> Entry:
-    """Title and tags of a case; those of a file that is no TOML are blank, which reading it will explain."""
+    """Title and tags of a case; empty for a file that is not TOML, which is an error when the case is read."""
     try:
         table = tomllib.loads((folder / FILE).read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -63,7 +63,7 @@ def entry(folder: Path) -> Entry:
 def select(
     folder: Path, selectors: Sequence[str], words: str = "", tags: Sequence[str] = ()
 ) -> tuple[list[Entry], dict[str, str]]:
-    """Cases that any of `selectors` means (all, without any) and that match `words` and have all `tags`.
+    """The cases of any of `selectors` (all cases, without any) that match `words` and have all `tags`.
 
     Returns them, and for each selector that means no case a sentence that says so. Raises SelectError.
     """

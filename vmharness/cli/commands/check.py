@@ -1,4 +1,4 @@
-"""`vm check`: are cases and decks sound, as far as can be said without running them."""
+"""`vm check`: checks of cases and decks that need no run."""
 
 from pathlib import Path
 from typing import Any
@@ -20,7 +20,7 @@ REPORTS = Path("reports")
 @click.command("check")
 @selecting
 @solver_option()
-@click.option("--json", type=FILE, metavar="FILE", help="Write what is found as JSON, too.")
+@click.option("--json", type=FILE, metavar="FILE", help="Also write the findings as JSON.")
 def command(
     selectors: tuple[str, ...],
     cases: Path | None,
@@ -31,11 +31,11 @@ def command(
 ) -> int:
     """Check cases, or deck files; run nothing.
 
-    Of a deck file, everything is listed that is ill-formed, that the solver does not support, and that has no effect.
+    For a deck file, the command lists all errors of format, all keywords and fields that the solver does not support,
+    and all that have no effect.
 
-    Of a case, schema, units, formulas, deck, channels and faults are checked. Tolerances are held against the errors
-    of the last run of which reports/ has a record; studies there that other sources made, or another state of the
-    case, are named.
+    For a case, it checks schema, units, formulas, deck, channels and faults. It compares the tolerances with the
+    errors of the last run in reports/, and names the studies there that are out of date.
 
     SELECT is an id, a pattern such as 'VM-0*', or the path of a case folder or of a deck file.
     """
@@ -66,7 +66,7 @@ def command(
 
 
 def _stale(case: Entry) -> list[str]:
-    """Studies in reports/ that would have to be made anew."""
+    """Sentences on studies in reports/ that are out of date."""
     from vmharness.case.digest import inputs
     from vmharness.report.records import FOLDER, stale
     from vmharness.studies.sources import sources
@@ -75,7 +75,7 @@ def _stale(case: Entry) -> list[str]:
 
 
 def _write(path: Path | None, reviews: dict[str, Review], decks: dict[str, Found]) -> None:
-    """Write what was found as JSON, if asked for."""
+    """Write the findings as JSON, if --json is given."""
     if path is None:
         return
     import msgspec

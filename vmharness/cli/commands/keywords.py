@@ -1,4 +1,4 @@
-"""`vm keywords`: what the deck reader knows, and what the built-in solver does with it."""
+"""`vm keywords`: the keywords of the deck reader, and their support by the built-in solver."""
 
 import difflib
 from typing import TYPE_CHECKING
@@ -42,7 +42,7 @@ def _name(keyword: "Keyword") -> str:
 
 
 def _say_cards(keyword: "Keyword") -> None:
-    """The cards, with what the built-in solver supports of them."""
+    """Print the cards, with their support by the built-in solver."""
     from vmharness.backends import supported
     from vmharness.cli.options import SOLVER
 

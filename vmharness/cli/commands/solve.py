@@ -1,4 +1,4 @@
-"""`vm solve`: a deck that belongs to no case."""
+"""`vm solve`: run a deck without a case."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -22,10 +22,12 @@ STATES = 1000  # in the file, where the deck does not ask for an interval
 @click.argument("path", metavar="DECK", type=click.Path(path_type=Path, exists=True, dir_okay=False))
 @solver_option()
 @click.option(
-    "--csv", type=click.Path(path_type=Path, dir_okay=False), help="Write energies and nodes over time."
+    "--csv",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="Write energies and nodal motion over time.",
 )
 def command(path: Path, solver: str, csv: Path | None) -> int:
-    """Solve DECK and say what became of its energy.
+    """Solve DECK and print its energies.
 
     The file has all energies, and the motion of the nodes of *DATABASE_HISTORY_NODE, at the interval of
     *DATABASE_NODOUT or _GLSTAT, else at 1000 instants.
@@ -61,7 +63,7 @@ def command(path: Path, solver: str, csv: Path | None) -> int:
 
 
 def _nodes(deck: "Deck") -> "dict[str, Channel]":
-    """The motion of every node whose history the deck asks for."""
+    """The motion of every node of *DATABASE_HISTORY_NODE."""
     from vmharness.case.format import Channel
 
     return {
@@ -88,7 +90,7 @@ def _say(deck: "Deck", output: "Output", history: "History") -> None:
 
 
 def _states(deck: "Deck", history: "History") -> "History":
-    """The samples at the deck's output interval."""
+    """The samples at the output interval of the deck."""
     from vmharness.reading import states
 
     asked = [entry.dt for name in ("NODOUT", "GLSTAT") for entry in deck.all(f"DATABASE_{name}") if entry.dt]

@@ -19,9 +19,9 @@ SHOWN = 5  # cases that a row names
 HEADS = {"with the opposite sign": "opposite sign", "1000 times as large": "1000 ×"}
 KINDS = {
     "deck": "deck",
-    "physics": "physics of the solver",
-    "integration": "time integration of the solver",
-    "reading": "output, or reading of the results",
+    "physics": "solver: physics",
+    "integration": "solver: time integration",
+    "reading": "output or reading",
 }
 
 
@@ -41,7 +41,7 @@ def section(content: bytes, case: Case) -> Section:
 
 def score(found: FaultsRecord) -> str:
     """How many of the faults that change the run are caught."""
-    return f"{found.caught} of {found.applicable} faults"
+    return f"{found.caught} of {found.applicable} faults caught"
 
 
 def cell(finding: Finding | None) -> str:
@@ -155,7 +155,7 @@ def _others(found: FaultsRecord) -> Table:
         if finding.noticed not in (Noticed.UNSEEN, Noticed.UNJUDGED)
         and finding.fault.partition(" ")[0] not in shown
     ]
-    return Table(["Fault", "Place", "Caught?", "Result, or reason"], rows, numbers=4)
+    return Table(["Fault", "Place", "Caught?", "Result, or reason"], rows, numbers=2, words=1)
 
 
 def _unseen(found: FaultsRecord) -> list[str]:

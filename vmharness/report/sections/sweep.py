@@ -54,7 +54,7 @@ def summary(found: SweepRecord) -> str:
     judged = [i for i in range(found.points) if i not in found.unjudged]
     passed = len(judged) - len(found.failed)
     worst = max((worst_share(found, i) for i in judged), default=None)
-    return f"{passed} of {found.points} points, {number.share(worst)} used at most"
+    return f"{passed} of {found.points} points pass, largest share {number.share(worst)}"
 
 
 def tables(found: SweepRecord) -> list[Table]:
