@@ -7,7 +7,7 @@ from vmharness.cli.say import plain_table, say_table
 
 @click.command("doctor")
 def command() -> int:
-    """Show the solvers: version and place, or why one cannot run.
+    """Show each solver: version and location, or why it cannot run.
 
     Other installed packages can offer solvers, in the entry point group vmharness.solvers.
     """
