@@ -6,7 +6,7 @@ from dataclasses import field as default
 
 from vmharness.deck.card import Card
 from vmharness.deck.error import DeckError
-from vmharness.deck.field import Value, shown
+from vmharness.deck.field import REFERENCE, Value, shown
 
 BEGINNINGS = ("KEYWORD", "KEYWORD_ID")  # the second has a line: names of the project and the run
 KEYWORD_OPTIONS = {"LONG": ("Y", "K", "S", "N"), "I10": ("N",), "MEMORY": (), "NCPU": ()}
@@ -47,6 +47,13 @@ class Block:
                 wrong.append(DeckError(str(error), self.file, number, self.name, column, value))
                 values.append(field.stand_in)
         return values
+
+    def references(self, card: Card, at: int, parameters: Mapping[str, Value]) -> dict[str, str]:
+        """The fields of data line `at`, read as `card`, that name a parameter: its name and its value."""
+        if "&" not in self.lines[at]:
+            return {}
+        items = zip(card.fields, card.items(self.lines[at], self.long), strict=True)
+        return {name: shown(item, parameters) for name, item in items if REFERENCE.fullmatch(item.strip())}
 
     def error(self, what: str, line: int = 0) -> DeckError:
         """What is wrong, at the keyword or at another line."""

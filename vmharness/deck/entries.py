@@ -73,6 +73,7 @@ def _read_group(
             if name[0] != "_":
                 entry.values[name] = value
                 entry.lines[name] = block.numbers[at]
+        entry.references |= block.references(card, at, parameters)
         at += 1
     return at
 

@@ -20,6 +20,7 @@ class Entry:
     suffix: str = ""  # the option: "TITLE", "ID", ...
     values: dict[str, Any] = field(default_factory=dict)
     lines: dict[str, int | Sequence[int]] = field(default_factory=dict)  # of the fields that were read
+    references: dict[str, str] = field(default_factory=dict)  # fields that name a parameter, as "&rho (7.8)"
     raw: Block | None = None  # the block as it stands in the deck, where it was not read
 
     @classmethod
@@ -48,7 +49,7 @@ class Entry:
         """The error to raise for `field` (in row `row` of a table), or for the entry as a whole."""
         if field is None:
             return DeckError(what, self.file, self.line, self.spelled)
-        value = self.values.get(field)
+        value = self.references.get(field, self.values.get(field))
         if row is not None and value is not None:
             value = value[row]
         return DeckError(what, self.file, self.line_of(field, row), self.spelled, field, value)

@@ -18,6 +18,7 @@ RESERVED = {
     "values",
     "lines",
     "raw",
+    "references",
     "line_of",
     "error",
     "of_defaults",
