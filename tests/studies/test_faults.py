@@ -50,12 +50,12 @@ def without(case, *keys):
 
 
 def test_faults_of_deck_and_solver_are_caught_by_what_they_move(store, ball):
-    names = ("G +0.1 %", "SLSFAC -1 %", "M of the other sign", "contact_stiffness_by_area", "half_step_start")
+    names = ("G +0.1 %", "SLSFAC -1 %", "M with the opposite sign", "contact_stiffness_by_area", "half_step_start")
     found, by = studied(ball, *names)
     assert by["G +0.1 %"].noticed is Noticed.CAUGHT
     assert by["G +0.1 %"].share == pytest.approx(1e3, rel=0.02)  # 0.05 % of t_impact against 5e-7
     assert by["SLSFAC -1 %"].by in ("t_peak", "z_peak")
-    assert "MASS = &M (-0.5): must be at least 0" in by["M of the other sign"].reason
+    assert "MASS = &M (-0.5): must be at least 0" in by["M with the opposite sign"].reason
     assert by["contact_stiffness_by_area"].noticed is Noticed.CAUGHT
     assert by["half_step_start"].share > 100.0
     assert by["jaumann_terms_off"].noticed is Noticed.UNSEEN  # no solids: not even run
@@ -78,7 +78,7 @@ def test_a_fault_without_effect_is_not_applicable(store, ball):
 
 
 def test_a_case_that_fails_without_faults_is_not_studied(ball):
-    with pytest.raises(StudyError, match="VM-061: does not pass without any fault: it diverged"):
+    with pytest.raises(StudyError, match="VM-061: the run without a fault does not pass: it diverged"):
         all_faults(ball, Measured(failure="it diverged"))
 
 
@@ -153,7 +153,7 @@ def test_a_number_of_which_no_deck_can_be_made_is_no_fault_to_plant():
 def test_a_wrong_unit_of_a_mesh_that_has_no_end_is_no_fault_to_plant(tmp_path):
     solid = read(Path(shutil.copytree(CASES / "D-51-solid", tmp_path / "D-51-solid")))
     most = deck_faults.LARGEST * len(solid.deck_source())
-    long = replace(solid, planted_mesh={"L": 1000.0 * solid.mesh_parameters()["L"]})
+    long = replace(solid, mesh_overrides={"L": 1000.0 * solid.mesh_parameters()["L"]})
     with pytest.raises(
         CaseError, match=r"deck\.k\.j2: the deck has more than .* characters: its mesh is too fine"
     ):
