@@ -50,7 +50,13 @@ def without(case, *keys):
 
 
 def test_faults_of_deck_and_solver_are_caught_by_what_they_move(store, ball):
-    names = ("G +0.1 %", "SLSFAC -1 %", "M with the opposite sign", "contact_stiffness_by_area", "half_step_start")
+    names = (
+        "G +0.1 %",
+        "SLSFAC -1 %",
+        "M with the opposite sign",
+        "contact_stiffness_by_area",
+        "half_step_start",
+    )
     found, by = studied(ball, *names)
     assert by["G +0.1 %"].noticed is Noticed.CAUGHT
     assert by["G +0.1 %"].share == pytest.approx(1e3, rel=0.02)  # 0.05 % of t_impact against 5e-7

@@ -48,12 +48,20 @@ class Block:
                 values.append(field.stand_in)
         return values
 
-    def references(self, card: Card, at: int, parameters: Mapping[str, Value]) -> dict[str, str]:
-        """The fields of data line `at`, read as `card`, that name a parameter: its name and its value."""
+    def references(
+        self, card: Card, at: int, parameters: Mapping[str, Value], row: int | None = None
+    ) -> dict[tuple[str, int | None], str]:
+        """The fields of a well-formed data line `at`, read as `card`, that name a parameter: its name and its value."""
         if "&" not in self.lines[at]:
             return {}
-        items = zip(card.fields, card.items(self.lines[at], self.long), strict=True)
-        return {name: shown(item, parameters) for name, item in items if REFERENCE.fullmatch(item.strip())}
+        try:
+            items = card.items(self.lines[at], self.long)
+        except ValueError:
+            return {}
+        named = zip(card.fields, items, strict=True)
+        return {
+            (name, row): shown(text, parameters) for name, text in named if REFERENCE.fullmatch(text.strip())
+        }
 
     def error(self, what: str, line: int = 0) -> DeckError:
         """What is wrong, at the keyword or at another line."""

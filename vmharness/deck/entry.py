@@ -20,7 +20,8 @@ class Entry:
     suffix: str = ""  # the option: "TITLE", "ID", ...
     values: dict[str, Any] = field(default_factory=dict)
     lines: dict[str, int | Sequence[int]] = field(default_factory=dict)  # of the fields that were read
-    references: dict[str, str] = field(default_factory=dict)  # fields that name a parameter, as "&rho (7.8)"
+    # Fields, and rows of tables, that name a parameter: its name and value, as "&rho (7.8)".
+    references: dict[tuple[str, int | None], str] = field(default_factory=dict)
     raw: Block | None = None  # the block as it stands in the deck, where it was not read
 
     @classmethod
@@ -49,7 +50,8 @@ class Entry:
         """The error to raise for `field` (in row `row` of a table), or for the entry as a whole."""
         if field is None:
             return DeckError(what, self.file, self.line, self.spelled)
-        value = self.references.get(field, self.values.get(field))
+        value = self.values.get(field)
         if row is not None and value is not None:
             value = value[row]
+        value = self.references.get((field, row), value)
         return DeckError(what, self.file, self.line_of(field, row), self.spelled, field, value)

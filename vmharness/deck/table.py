@@ -39,6 +39,8 @@ def read_rows(
         columns = fast_columns(card, block.lines[chosen.start : chosen.stop : chosen.step], block.long)
         if columns is None:
             columns = careful_columns(card, block, chosen, parameters, wrong)
+            for row, at in enumerate(chosen):
+                entry.references |= block.references(card, at, parameters, row)
         if isinstance(card, Rows) and card.flat:
             ids = np.stack(columns, axis=1)
             kept = ids != 0
