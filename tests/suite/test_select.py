@@ -101,7 +101,10 @@ def test_the_folder_chosen_then_the_one_here_then_that_of_the_package(folder, tm
     assert cases_folder(folder / "VM-001") == folder / "VM-001"
     assert cases_folder() == Path("cases")
     (tmp_path / "empty" / "cases").mkdir(parents=True)
-    monkeypatch.chdir(tmp_path / "empty")  # a folder of that name without a case is not one of cases
+    monkeypatch.chdir(tmp_path / "empty")  # such as an empty submodule: other cases in its place would pass
+    assert cases_folder() == Path("cases")
+    (tmp_path / "none").mkdir()
+    monkeypatch.chdir(tmp_path / "none")
     assert (cases_folder() / "VM-061" / "case.toml").is_file()
     with pytest.raises(SelectError, match="no folder nowhere"):
         cases_folder(Path("nowhere"))

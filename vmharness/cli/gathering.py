@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vmharness.cli.options import How
 from vmharness.cli.progress import study_bar
-from vmharness.cli.say import complain, say
+from vmharness.cli.say import complain, say, write_file
 
 if TYPE_CHECKING:
     from vmharness.execution.pool import Pool
@@ -49,10 +49,9 @@ def gathered(
 
 def write_record(root: Path, case: str, name: str, record: Any, json: Path | None) -> None:
     """Write the record of a study beside the page of the case, and to the file of --json."""
-    from vmharness.execution import atomic
     from vmharness.report import records
 
     path = records.write(root, case, name, record)
     if json is not None:
-        atomic.write(json, path.read_text(encoding="utf-8"))
+        write_file(json, path.read_text(encoding="utf-8"))
     say(f"{path} is written; `vm run {case}` adds it to the page")

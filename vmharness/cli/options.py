@@ -1,6 +1,7 @@
 """Options of a run, with their checks; solvers and reports are not imported for them."""
 
 import functools
+import math
 import os
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -11,12 +12,13 @@ from typing import Any, TypeVar
 import click
 
 import vmharness
+from vmharness.cli.say import File
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 SOLVER = "builtin"
 TIMEOUT = 600.0  # seconds
-FILE = click.Path(dir_okay=False, path_type=Path)
+FILE = File()
 FOLDER = click.Path(file_okay=False, path_type=Path)
 
 
@@ -80,6 +82,7 @@ def _timeout() -> Callable[[Command], Command]:
         type=click.FloatRange(0, min_open=True),
         default=TIMEOUT,
         metavar="SECONDS",
+        callback=_number,
         help=f"Time limit for each case.  [default: {TIMEOUT:g}]",
     )
 
@@ -119,11 +122,18 @@ def files(ctx: click.Context) -> dict[str, Path]:
 
 
 def _jobs(ctx: click.Context, parameter: click.Parameter, value: str) -> int:
-    if value in ("auto", "0"):
+    if value == "auto":
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    if not value.isdecimal():
-        raise click.BadParameter(f"{value} is not a number of workers; write a number, or auto")
+    if not value.isdecimal() or int(value) < 1:
+        raise click.BadParameter(f"{value} is not a number of workers; write a number from 1 on, or auto")
     return int(value)
+
+
+def _number(ctx: click.Context, parameter: click.Parameter, value: float) -> float:
+    """A number of seconds: of NaN no comparison with 0 holds."""
+    if math.isnan(value):
+        raise click.BadParameter("nan is not a number of seconds")
+    return value
 
 
 def _solver(ctx: click.Context, parameter: click.Parameter, value: str) -> str:

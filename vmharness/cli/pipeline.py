@@ -44,10 +44,14 @@ def run_cases(found: Sequence[Entry], wanted: Wanted) -> tuple[list[Outcome], li
     Returns the outcomes, and the pages that could not be written.
     """
     unwritten: list[Unwritten] = []
+    _record(wanted, [Outcome(case.id, Status.NOT_RUN, NOT_REACHED) for case in found])
     with Pool(
         min(wanted.jobs, len(found)), solving, wanted.solver
     ) as pool:  # workers start while cases are read
         cases, outcomes = read_cases(found, wanted.data)
+        _record(wanted, outcomes)
+        for broken in outcomes:
+            unwritten += _page(broken, wanted)
         _say_notice(wanted.solver)
         if wanted.report:
             reports.get_ready()
@@ -55,6 +59,7 @@ def run_cases(found: Sequence[Entry], wanted: Wanted) -> tuple[list[Outcome], li
         try:
             for outcome in case_bars(events, [case.id for case in cases]):
                 outcomes.append(outcome)
+                _record(wanted, [outcome])
                 unwritten += _page(outcome, wanted)
                 if len(cases) > 1:
                     say(f"{outcome.id}: {outcome.status}")
@@ -67,6 +72,13 @@ def run_cases(found: Sequence[Entry], wanted: Wanted) -> tuple[list[Outcome], li
     return outcomes, unwritten
 
 
+def _record(wanted: Wanted, outcomes: Sequence[Outcome]) -> None:
+    """Keep the record for --lf, so that a killed run can be resumed; an error shows when the run has ended."""
+    if not wanted.data:
+        with contextlib.suppress(OSError):
+            last_run.write(wanted.root, outcomes)
+
+
 def write_files(outcomes: Sequence[Outcome], wanted: Wanted) -> list[Unwritten]:
     """Write the index, the exports and the record for --lf; returns the files that could not be written."""
     from vmharness import report
@@ -76,7 +88,7 @@ def write_files(outcomes: Sequence[Outcome], wanted: Wanted) -> list[Unwritten]:
     unrun = [Unrun(outcome.id, outcome.reason) for outcome in outcomes if outcome.run is None]
     tasks: dict[str, Callable[[], object]] = {}
     for name, path in wanted.files.items():
-        tasks[str(path)] = partial(reports.write_file, name, runs, unrun, path)
+        tasks[str(path)] = partial(reports.write_export, name, runs, unrun, path)
     if wanted.index:
         tasks["the index"] = partial(report.write_index, runs, wanted.root, unrun)
     if not wanted.data:
@@ -85,9 +97,14 @@ def write_files(outcomes: Sequence[Outcome], wanted: Wanted) -> list[Unwritten]:
 
 
 def _page(outcome: Outcome, wanted: Wanted) -> list[Unwritten]:
-    if outcome.run is None or not wanted.report:
+    """Write the page of an outcome; else the page of an earlier run would show a verdict that no longer holds."""
+    if not wanted.report:
         return []
-    write = partial(reports.write_page, outcome.run, wanted.root, wanted.name(outcome.id), wanted.index)
+    name = wanted.name(outcome.id)
+    if outcome.run is None:
+        write = partial(reports.write_unjudged, name, outcome.reason, wanted.root, wanted.index)
+    else:
+        write = partial(reports.write_page, outcome.run, wanted.root, name, wanted.index)
     return reports.attempted(f"the report of {outcome.id}", write)
 
 

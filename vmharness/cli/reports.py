@@ -9,6 +9,7 @@ from pathlib import Path
 from threading import Thread
 from typing import TYPE_CHECKING
 
+from vmharness.cli.say import write_file
 from vmharness.suite.outcome import Status, Unwritten
 
 if TYPE_CHECKING:
@@ -41,12 +42,19 @@ def write_page(run: "CaseRun", root: Path, name: str, indexed: bool) -> None:
     report.write_case(replace(run, case=replace(run.case, id=name)), root, indexed=indexed)
 
 
-def write_file(format: str, runs: list["CaseRun"], unrun: Sequence["Unrun"], path: Path) -> None:
+def write_unjudged(id: str, reason: str, root: Path, indexed: bool) -> None:
+    """Write to `root`/`id` that the case could not be judged; `indexed`: an index follows."""
+    from vmharness import report
+    from vmharness.result import Unrun
+
+    report.write_unjudged(Unrun(id, reason), root, indexed)
+
+
+def write_export(format: str, runs: list["CaseRun"], unrun: Sequence["Unrun"], path: Path) -> None:
     """Write all runs, and the cases without a run, in an export format."""
     from vmharness import report
-    from vmharness.execution import atomic
 
-    atomic.write(path, report.render(format, runs, unrun))
+    write_file(path, report.render(format, runs, unrun))
 
 
 def attempted(what: str, write: Callable[[], object]) -> list[Unwritten]:

@@ -8,7 +8,7 @@ import click
 
 from vmharness.cli.say import complain, say
 from vmharness.suite.outcome import Outcome, Status
-from vmharness.suite.select import Entry, SelectError, cases_folder, select
+from vmharness.suite.select import FILE, Entry, SelectError, cases_folder, entries, read_case, select
 
 if TYPE_CHECKING:
     from vmharness.case import Case
@@ -48,13 +48,18 @@ def selecting(command: Command) -> Command:
 def selected(
     selectors: tuple[str, ...], cases: Path | None, words: str, tags: tuple[str, ...]
 ) -> tuple[list[Entry], dict[str, str]]:
-    """The selected cases, and a message for each selector that selects none; prints the folder of the cases."""
+    """The selected cases, and a message for each selector that selects none; prints the folder of the cases.
+
+    Says so if the folder has no case at all.
+    """
     try:
         folder = cases_folder(cases)
         found, unknown = select(folder, selectors, words, tags)
     except SelectError as error:
         raise click.UsageError(str(error)) from None
     say(f"cases: {folder}")
+    if not found and not entries(folder):
+        complain(f"no case in {folder.resolve()}: none of its folders has a {FILE}")
     for problem in unknown.values():
         complain(problem)
     return found, unknown
@@ -62,8 +67,6 @@ def selected(
 
 def one(selector: str, cases: Path | None) -> "Case":
     """Read the one case that `selector` selects; raises CaseError, or UsageError if it selects none or several."""
-    from vmharness.case import read
-
     try:
         found, unknown = select(cases_folder(cases), (selector,))
     except SelectError as error:
@@ -72,19 +75,19 @@ def one(selector: str, cases: Path | None) -> "Case":
         raise click.UsageError(problem)
     if len(found) > 1:
         raise click.UsageError(f"{selector} selects {len(found)} cases; select one")
-    return read(found[0].folder)
+    return read_case(found[0])
 
 
 def read_cases(found: Sequence[Entry], data: Mapping[str, float]) -> tuple[list["Case"], list[Outcome]]:
     """The cases with their `data` set, and the outcomes of the cases that are wrong."""
-    from vmharness.case import CaseError, read
+    from vmharness.case import CaseError
     from vmharness.case.settings import with_settings
 
     cases: list[Case] = []
     broken: list[Outcome] = []
     for entry in found:
         try:
-            case = read(entry.folder)
+            case = read_case(entry)
             cases.append(with_settings(case, data) if data else case)
         except CaseError as error:
             broken.append(Outcome(entry.id, Status.BROKEN, str(error)))

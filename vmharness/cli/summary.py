@@ -1,17 +1,21 @@
 """Summary at the end of a run: failures first."""
 
+import math
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from vmharness.cli.say import plain_table, say, say_table
+from vmharness.cli.say import plain_table, say, say_table, width
+from vmharness.compare import Comparison, Verdict
 from vmharness.suite.outcome import Outcome, Status, Unwritten, worst_first
 
 if TYPE_CHECKING:
     from rich.text import Text
 
-    from vmharness.result import CaseRun
+    from vmharness.result import CaseRun, Row
 
+NARROW = 72  # columns that the table of results needs
+SMALL = 1e-4  # percent: errors are in powers of ten where the tolerance is smaller
 COLOURS = {Status.PASS: "green", Status.FAIL: "red"}  # all others are yellow
 
 
@@ -39,7 +43,11 @@ def summarise(
 
 
 def _results(run: "CaseRun") -> None:
-    """The table of the results of one case, with the share of its tolerance that each result uses."""
+    """The results of one case, with the share of its tolerance that each uses: a table, or lines in a narrow window."""
+    if width() < NARROW:
+        for row in run.rows:
+            say(f"{row.verdict}: {_line(row)}; {_number(row.comparison.share, '.1%')} used")
+        return
     table = plain_table("Result", "Target", "Computed", "Error (%)", "Used (%)", "Verdict")
     for event, rows in run.groups:
         table.add_row(event)
@@ -49,11 +57,21 @@ def _results(run: "CaseRun") -> None:
                 f"  {row.label} ({row.unit})" if row.unit else f"  {row.label}",
                 f"{c.target:.6g}",
                 f"{c.value:.6g}",
-                _number(c.error_percent, "+.4f").replace("-0.0000", "+0.0000"),
+                _error(c),
                 _number(c.share, ".1%").removesuffix("%"),
                 _coloured(Status(row.verdict)),
             )
     say_table(table)
+
+
+def _error(comparison: "Comparison") -> str:
+    """The error in percent; digits follow the tolerance, so that an error which uses a part of it is not shown as 0."""
+    if comparison.error_percent is None:
+        return "–"
+    if (comparison.tolerance_percent or 1.0) < SMALL:
+        return f"{comparison.error_percent:+.1e}"
+    places = _places(comparison)
+    return f"{round(comparison.error_percent, places) + 0.0:+.{places}f}"
 
 
 def _cases(outcomes: Sequence[Outcome]) -> None:
@@ -74,11 +92,40 @@ def _coloured(status: Status) -> "Text":
 
 
 def _explain(outcome: Outcome, again: Mapping[str, str], debug: bool) -> None:
-    say(f"{outcome.id}: {outcome.status}" + (f": {outcome.reason}" if outcome.reason else ""))
+    """Say why a case did not pass: every result that does not, or the reason for which none could be judged."""
+    lines = (
+        []
+        if outcome.run is None or outcome.run.solution.failure
+        else list(map(_line, _not_passed(outcome.run)))
+    )
+    reason = f": {outcome.reason}" if outcome.reason and not lines else ""
+    say(f"{outcome.id}: {outcome.status}{reason}")
+    for line in lines:
+        say(f"  {line}")
     if debug and outcome.traceback:
         say(outcome.traceback)
     if outcome.id in again:
         say(f"  run it again: {again[outcome.id]}")
+
+
+def _not_passed(run: "CaseRun") -> "list[Row]":
+    return [row for row in run.rows if row.verdict is not Verdict.PASS]
+
+
+def _line(row: "Row") -> str:
+    """A result in a line: key, value and target with their unit, error and tolerance; or the reason."""
+    c = row.comparison
+    if c.error_percent is None or c.tolerance_percent is None:
+        return f"{row.key}: {c.reason}"
+    unit = f" {row.unit}" if row.unit else ""
+    error = f"error {_error(c)} %, tolerance {c.tolerance_percent:.2g} %"
+    return f"{row.key}: {c.value:.7g}{unit}, target {c.target:.7g}{unit}; {error}"
+
+
+def _places(comparison: "Comparison") -> int:
+    """Decimal places of an error in percent: two digits of the tolerance, at least 4."""
+    tolerance = comparison.tolerance_percent
+    return max(4, 1 - math.floor(math.log10(tolerance))) if tolerance else 4
 
 
 def _number(value: float | None, form: str) -> str:

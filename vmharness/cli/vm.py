@@ -51,6 +51,8 @@ def vm(debug: bool) -> None:
 def guarded(arguments: Sequence[str] | None) -> int:
     """Run a command and return its exit code; None stands for the arguments of the process."""
     given = list(sys.argv[1:] if arguments is None else arguments)
+    if "--debug" in given:  # also after the command
+        given = ["--debug", *(word for word in given if word != "--debug")]
     collect_rarely()
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # a request to end is an interrupt
     try:

@@ -35,6 +35,13 @@ def write_case(run: CaseRun, folder: Path, volatile: bool = True, indexed: bool 
     return [atomic.write(path, text) for path, text in texts.items()]
 
 
+def write_unjudged(case: Unrun, folder: Path, indexed: bool = False) -> list[Path]:
+    """Write the page of a case that could not be judged over that of an earlier run; raises OSError."""
+    to = folder / case.id
+    texts = {to / form.FILE: form.unjudged(case, indexed) for form in plugins.modules(PAGES)}
+    return [atomic.write(path, text) for path, text in texts.items()]
+
+
 def write_index(runs: list[CaseRun], folder: Path, unrun: Sequence[Unrun] = ()) -> list[Path]:
     """Write the index of `runs` and of cases without a run into `folder`, in every format; raises OSError."""
     from vmharness.report.index import index

@@ -5,6 +5,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from vmharness.suite.select import Entry, read_case
+
 if TYPE_CHECKING:
     from vmharness.case import Case
 
@@ -22,13 +24,13 @@ def check(folder: Path, errors: Mapping[str, float] | None = None, solver: str =
 
     `errors`: how far its results were from their targets when last run, as fractions, by key.
     """
-    from vmharness.case import CaseError, read, tolerance
+    from vmharness.case import CaseError, tolerance
     from vmharness.report import prose
     from vmharness.studies.faults import declared as faults
 
     review = Review()
     try:
-        case = read(folder)
+        case = read_case(Entry(folder))
         tight, review.doubtful = tolerance.review(case)
         review.wrong += tight
         review.doubtful += tolerance.review_measured(case, errors or {})
@@ -37,6 +39,8 @@ def check(folder: Path, errors: Mapping[str, float] | None = None, solver: str =
         review.wrong += _deck(case, solver)
     except CaseError as error:
         review.wrong.append(str(error))
+    except Exception as error:  # whatever one case does is its own outcome
+        review.wrong.append(f"{folder.name}: cannot be checked: {type(error).__name__}: {error}")
     return review
 
 

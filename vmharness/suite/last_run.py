@@ -26,11 +26,13 @@ def not_passed(folder: Path) -> set[str]:
 
 
 def write(folder: Path, outcomes: Iterable[Outcome]) -> None:
-    """Write the new outcomes; those of other cases stay."""
+    """Write the new outcomes; those of other cases stay, and errors of a case that is not run."""
     from vmharness.execution import atomic
 
-    new = {outcome.id: {"status": str(outcome.status), "errors": _errors(outcome)} for outcome in outcomes}
-    known = {**_entries(folder), **new}
+    known = _entries(folder)
+    for outcome in outcomes:
+        errors = _errors(outcome) or known.get(outcome.id, {}).get("errors", {})
+        known[outcome.id] = {"status": str(outcome.status), "errors": errors}
     atomic.write(folder / FILE, json.dumps(dict(sorted(known.items())), indent=1) + "\n")
 
 

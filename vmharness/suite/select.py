@@ -6,8 +6,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import vmharness
+
+if TYPE_CHECKING:
+    from vmharness.case import Case
 
 FILE = "case.toml"
 
@@ -31,16 +35,19 @@ class Entry:
 
 
 def cases_folder(chosen: Path | None = None) -> Path:
-    """The folder of the cases: `chosen`, else ./cases if it has cases, else that of the package."""
+    """The folder of the cases: `chosen`, else ./cases if there is one, else that of the package.
+
+    A folder ./cases without a case is chosen, too: to run other cases in its place would pass what was never run.
+    """
     if chosen is not None:
         if not chosen.is_dir():
             raise SelectError(f"no folder {chosen}")
         return chosen
     package = Path(vmharness.__file__).parent
     places = [Path("cases"), package / "cases", package.parent / "cases"]  # the last: installed with pip -e
-    found = [place for place in places if any(place.glob(f"*/{FILE}"))]
+    found = [place for place in places if place.is_dir()]
     if not found:
-        raise SelectError("no cases here, and none installed; name a folder with --cases")
+        raise SelectError("no folder cases here, and no cases installed; name a folder with --cases")
     return found[0]
 
 
@@ -53,11 +60,25 @@ def entry(folder: Path) -> Entry:
     """Title and tags of a case; empty for a file that is not TOML, which is an error when the case is read."""
     try:
         table = tomllib.loads((folder / FILE).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+    except (OSError, ValueError, RecursionError, MemoryError):
         table = {}
     tags = table.get("tags", ())
     known = tuple(map(str, tags)) if isinstance(tags, list) else ()
     return Entry(folder, str(table.get("title", "")), known)
+
+
+def read_case(case: Entry) -> "Case":
+    """Read and check a case; raises CaseError for whatever is wrong, so that it is the outcome of this case alone."""
+    from vmharness.case import CaseError, read
+
+    try:
+        return read(case.folder)
+    except CaseError:
+        raise
+    except RecursionError:
+        raise CaseError(f"{case.id}: {FILE} is nested too deeply to be read") from None
+    except Exception as error:
+        raise CaseError(f"{case.id}: cannot be read: {type(error).__name__}: {error}") from error
 
 
 def select(
@@ -119,10 +140,16 @@ def _split(words: list[str], at: str) -> list[list[str]]:
 
 
 def _meant(selector: str, known: Iterable[Entry]) -> list[Entry]:
-    """By id, then by pattern, then by path, so that a folder of the same name here does not hide a case."""
-    found = [case for case in known if case.id == selector] or [
-        case for case in known if fnmatchcase(case.id, selector)
-    ]
+    """By id, then by pattern, then by an id in other letters of case, then by path.
+
+    The path comes last, so that a folder of the same name here does not hide a case.
+    """
+    known = list(known)
+    found = (
+        [case for case in known if case.id == selector]
+        or [case for case in known if fnmatchcase(case.id, selector)]
+        or [case for case in known if case.id.lower() == selector.lower()]
+    )
     if not found and (Path(selector) / FILE).is_file():
         found = [entry(Path(selector).resolve())]
     return found

@@ -7,7 +7,7 @@ import click
 
 from vmharness.cli.deck import Found, check_deck, is_deck, is_good, say_deck
 from vmharness.cli.options import FILE, solver_option
-from vmharness.cli.say import complain, say
+from vmharness.cli.say import complain, say, write_file
 from vmharness.cli.selection import selected, selecting
 from vmharness.suite import last_run
 from vmharness.suite.check import Review, check
@@ -80,10 +80,8 @@ def _write(path: Path | None, reviews: dict[str, Review], decks: dict[str, Found
         return
     import msgspec
 
-    from vmharness.execution import atomic
-
     found: list[dict[str, Any]] = [
         {"case": id, "wrong": review.wrong, "doubtful": review.doubtful} for id, review in reviews.items()
     ]
     found += [{"deck": name, **groups} for name, groups in decks.items()]
-    atomic.write(path, msgspec.json.format(msgspec.json.encode(found), indent=1).decode() + "\n")
+    write_file(path, msgspec.json.format(msgspec.json.encode(found), indent=1).decode() + "\n")

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import click
 
 from vmharness.cli.options import FILE
-from vmharness.cli.say import complain, say, say_rows
+from vmharness.cli.say import complain, say, say_rows, write_file
 from vmharness.suite.outcome import EXIT_CODES, Status
 
 if TYPE_CHECKING:
@@ -28,14 +28,13 @@ def command(first: Path, second: Path, every: bool, json: Path | None) -> int:
     """
     import msgspec
 
-    from vmharness.execution import atomic
     from vmharness.studies.compare import pairs
 
     runs = [_read(path) for path in (first, second)]
     found = pairs(*runs)
     _show(runs, found, every)
     if json is not None:
-        atomic.write(json, msgspec.json.format(msgspec.json.encode(found), indent=1).decode() + "\n")
+        write_file(json, msgspec.json.format(msgspec.json.encode(found), indent=1).decode() + "\n")
     return EXIT_CODES[Status.FAIL if any(pair.worse for pair in found) else Status.PASS]
 
 

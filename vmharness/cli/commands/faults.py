@@ -7,7 +7,7 @@ import click
 
 from vmharness.cli.gathering import gathered, write_record
 from vmharness.cli.options import How, studying
-from vmharness.cli.say import complain, plain_table, say, say_table
+from vmharness.cli.say import complain, plain_table, say, say_table, write_file
 from vmharness.cli.selection import read_cases, selected, selecting
 from vmharness.suite.outcome import EXIT_CODES, NOTHING_SELECTED, Status, exit_code
 
@@ -96,8 +96,7 @@ def _show(detections: "list[FaultsRecord]") -> None:
 def _write(path: Path, detections: "list[FaultsRecord]") -> None:
     import msgspec
 
-    from vmharness.execution import atomic
     from vmharness.studies.faults.record import coverage
 
     record = {"cases": detections, "coverage": coverage(detections)}
-    atomic.write(path, msgspec.json.format(msgspec.json.encode(record), indent=1).decode() + "\n")
+    write_file(path, msgspec.json.format(msgspec.json.encode(record), indent=1).decode() + "\n")

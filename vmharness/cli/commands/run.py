@@ -14,6 +14,7 @@ from vmharness.suite import last_run
 from vmharness.suite.outcome import NOTHING_SELECTED, Outcome, Status, exit_code
 
 REPORTS, RUNS = Path("reports"), Path("runs")
+SHOWN = 5  # pages of a run of several cases whose paths are printed
 
 
 @click.command("run")
@@ -72,15 +73,17 @@ def command(
     unwritten += write_files(outcomes, wanted)
     summarise(outcomes, unwritten, rerun_commands(found, ctx.params), ctx.find_root().params["debug"])
     if wanted.report:
-        _say_where([wanted.name(case.id) for case in found], wanted.root)
+        _say_where([wanted.name(case.id) for case in found], wanted.root, wanted.index)
         if not wanted.index and (wanted.root / "index.html").is_file():
             say("the index is from an earlier run; `vm run` without a selection writes it again")
     return exit_code([*(outcome.status for outcome in outcomes), *(file.status for file in unwritten)])
 
 
-def _say_where(names: Sequence[str], root: Path) -> None:
-    """Print the file to open."""
-    folder = root / names[0] if len(names) == 1 else root
-    if folder.is_dir():
-        page = folder / "index.html"
-        say(f"report: {page if page.is_file() else folder}")
+def _say_where(names: Sequence[str], root: Path, indexed: bool) -> None:
+    """Print the files to open: the index if it was written, else the pages of the cases."""
+    folders = [root] if indexed else [root / name for name in names[:SHOWN]]
+    for page in (folder / "index.html" for folder in folders):
+        if page.is_file():
+            say(f"report: {page}")
+    if len(names) > SHOWN and not indexed:
+        say(f"and {len(names) - SHOWN} more reports in {root}")

@@ -13,7 +13,7 @@ from vmharness.report import equations, number, prose, wording
 from vmharness.report.index import Index
 from vmharness.report.page import Page
 from vmharness.report.templates import render
-from vmharness.result import CaseRun
+from vmharness.result import CaseRun, Unrun
 
 FILE = "index.html"
 PACKAGES = ("numpy", "numba", "scipy", "matplotlib")
@@ -46,6 +46,11 @@ def _inputs(run: CaseRun) -> dict[str, bytes]:
     files = {name: (case.folder / name).read_bytes() for name in case.input_files}
     deck = run.solution.resolved_deck.encode() or case.deck_path.read_bytes()
     return {case.deck_name: deck, **files}
+
+
+def unjudged(case: Unrun, indexed: bool) -> str:
+    """The page of a case whose last run gave no results, with the reason; `indexed`: there is an index."""
+    return render("unjudged.html.j2", _filters(), case=case, indexed=indexed)
 
 
 def index(index: Index) -> str:

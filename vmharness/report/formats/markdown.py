@@ -8,7 +8,7 @@ from vmharness.report import equations, number, wording
 from vmharness.report.index import Index
 from vmharness.report.page import Page
 from vmharness.report.templates import render
-from vmharness.result import CaseRun
+from vmharness.result import CaseRun, Unrun
 
 FILE = "README.md"
 
@@ -34,6 +34,11 @@ def _inputs(run: CaseRun, folder: Path) -> list[tuple[str, str]]:
     deck = folder / case.deck_name if run.solution.resolved_deck else case.deck_path
     paths = {name: case.folder / name for name in case.input_files}
     return [(name, _relative(path, folder)) for name, path in {case.deck_name: deck, **paths}.items()]
+
+
+def unjudged(case: Unrun, indexed: bool) -> str:
+    """The page of a case whose last run gave no results, with the reason."""
+    return render("unjudged.md.j2", _filters(), case=case)
 
 
 def index(index: Index) -> str:
