@@ -43,3 +43,20 @@ def test_ctrl_c_keeps_what_is_done_and_ends_every_worker(ball, vm_process, name)
     assert statuses == {"done": "pass", "endless": "not run", "never": "not run"}
     for worker in workers:
         assert not Path(f"/proc/{worker}").exists()
+
+
+@pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="reads /proc")
+def test_a_killed_run_is_resumed_by_lf(ball, vm_process, vm):
+    ball(id="done")
+    ball(id="endless", density="7.3E-16")
+    process = vm_process("run", "done", "endless", "--no-report")
+    while not (line := process.stdout.readline()).startswith("done: pass"):
+        assert line, process.stderr.read()
+    process.kill()
+    process.wait()
+    last = json.loads(Path("reports/.last-run.json").read_text())
+    assert {id: kept["status"] for id, kept in last.items()} == {"done": "pass", "endless": "not run"}
+    code, out, _ = vm("run", "--lf", "--timeout", "1", "--no-report")
+    assert code == 6
+    assert "1 error" in out
+    assert "endless" in out

@@ -15,7 +15,7 @@ from vmharness.cli.commands import run
         (["rum"], "no command rum; did you mean run?"),
         (["run", "--sover", "x"], "--sover"),
         (["run", "--solver", "abaqus"], "no solver abaqus; there are: builtin"),
-        (["run", "-j", "many"], "many is not a number of workers; write a number, or auto"),
+        (["run", "-j", "many"], "many is not a number of workers; write a number from 1 on, or auto"),
         (["run", "-j", "-1"], "-1"),
         (["run", "--timeout", "0"], "timeout"),
         (["run", "--set", "k"], "write NAME=NUMBER"),

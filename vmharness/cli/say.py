@@ -125,4 +125,11 @@ def plain_table(first: str, *others: str) -> "Table":
         Column(name, justify="right" if name in RIGHT else "left", no_wrap=name in RIGHT) for name in others
     ]
     head = Column(first, overflow="fold", min_width=LABEL)
-    return Table(head, *columns, box=SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False, header_style="bold")
+
+    class Plain(Table):
+        """Its texts have no control characters."""
+
+        def add_row(self, *cells: Any, **options: Any) -> None:
+            super().add_row(*(without_controls(c) if isinstance(c, str) else c for c in cells), **options)
+
+    return Plain(head, *columns, box=SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False, header_style="bold")

@@ -68,9 +68,9 @@ def _error(comparison: "Comparison") -> str:
     """The error in percent; digits follow the tolerance, so that an error which uses a part of it is not shown as 0."""
     if comparison.error_percent is None:
         return "–"
-    if (comparison.tolerance_percent or 1.0) < SMALL:
+    if (comparison.tolerance_percent or 1.0) < SMALL and abs(comparison.error_percent) < 1e3 * SMALL:
         return f"{comparison.error_percent:+.1e}"
-    places = _places(comparison)
+    places = 4 if abs(comparison.error_percent) >= 1e3 * SMALL else _places(comparison)
     return f"{round(comparison.error_percent, places) + 0.0:+.{places}f}"
 
 
