@@ -1,10 +1,13 @@
 """Which sources a measured value depends on, and a hash of what they say: comments and docstrings do not count.
 
+Nor does what only refuses a deck, or says why: a value exists where nothing was refused. So the declarations of what is
+supported (`SUPPORTS`, with what serves them alone), the modules that review them, and the texts of errors are left out.
 They are the modules that run a case and read its results, and all that these import, found in the sources: the same on
 every machine, and without importing anything.
 """
 
 import ast
+import copy
 import hashlib
 from collections.abc import Iterator
 from functools import cache
@@ -14,6 +17,13 @@ import vmharness
 
 PACKAGE = Path(vmharness.__file__).parent
 MEASURING = ("vmharness.run", "vmharness.studies.measured")
+REFUSING = {  # modules that can refuse a deck, and change no value
+    "vmharness.deck.finding", "vmharness.deck.rule", "vmharness.deck.support",
+    "vmharness.explicit.references", "vmharness.explicit.supported", "vmharness.explicit.without_effect",
+    "vmharness.explicit.contact.control_contact", "vmharness.explicit.contact.supported",
+    "vmharness.explicit.contact.without_effect",
+}  # fmt: skip
+DECLARES = "SUPPORTS"
 FINDERS = {"vmharness.plugins", "pkgutil", "importlib"}  # a module that imports one imports others as it runs
 
 
@@ -21,7 +31,7 @@ FINDERS = {"vmharness.plugins", "pkgutil", "importlib"}  # a module that imports
 def sources(solver: str = "builtin") -> str:
     """The hash of all that a value measured in a run of the `solver` depends on."""
     found = hashlib.sha256()
-    for name in modules(solver):
+    for name in sorted(set(modules(solver)) - REFUSING):
         found.update(f"{name}\0{_read(name)[0]}\0".encode())
     return found.hexdigest()
 
@@ -94,8 +104,60 @@ def _file(name: str) -> Path | None:
 def _read(name: str) -> tuple[str, frozenset[str]]:
     """A hash of what a module says, and the names that it imports."""
     file = _file(name)
-    tree = ast.parse(file.read_bytes() if file else b"")
-    return hashlib.sha256(_said(tree).encode()).hexdigest(), frozenset(_named(tree))
+    text = file.read_bytes() if file else b""
+    tree = ast.parse(text)
+    names = frozenset(_named(tree))
+    if DECLARES.encode() in text:
+        tree = _without_declarations(tree)
+    return hashlib.sha256(_said(tree).encode()).hexdigest(), names
+
+
+def _without_declarations(tree: ast.Module) -> ast.Module:
+    """A module without what it declares as supported, and without what it defines or imports for that alone."""
+    kept = [statement for statement in tree.body if _defined(statement) != {DECLARES}]
+    declared = {name for statement in tree.body if statement not in kept for name in _used(statement)}
+    while declared:
+        uses = {id(statement): _used(statement) for statement in kept}
+        served = [
+            statement
+            for statement in kept
+            if (own := _defined(statement)) and own <= declared
+            and not any(own & uses[id(other)] for other in kept if other is not statement)
+        ]  # fmt: skip
+        if not served:
+            break
+        kept = [statement for statement in kept if statement not in served]
+        declared |= {name for statement in served for name in _used(statement)}
+    used = {name for statement in kept for name in _used(statement)}
+    left = [_importing(statement, declared - used) for statement in kept]
+    return ast.Module([statement for statement in left if statement is not None], [])
+
+
+def _defined(statement: ast.stmt) -> set[str]:
+    """The names that a statement of a module assigns or defines."""
+    if isinstance(statement, ast.FunctionDef | ast.ClassDef):
+        return {statement.name}
+    targets = getattr(statement, "targets", [getattr(statement, "target", None)])
+    return {
+        node.id for target in targets if target for node in ast.walk(target) if isinstance(node, ast.Name)
+    }
+
+
+def _used(statement: ast.stmt) -> set[str]:
+    """The names that a statement reads, and the texts that may be names in `__all__`."""
+    own = _defined(statement)
+    names = {node.id for node in ast.walk(statement) if isinstance(node, ast.Name)} - own
+    if own == {"__all__"}:
+        names |= {str(node.value) for node in ast.walk(statement) if isinstance(node, ast.Constant)}
+    return names
+
+
+def _importing(statement: ast.stmt, alone: set[str]) -> ast.stmt | None:
+    """An import without the names that serve declarations `alone`; any other statement as it is."""
+    if not isinstance(statement, ast.ImportFrom):
+        return statement
+    names = [alias for alias in statement.names if (alias.asname or alias.name) not in alone]
+    return ast.ImportFrom(statement.module, names, statement.level) if names else None
 
 
 def _said(value: object) -> str:
@@ -105,12 +167,26 @@ def _said(value: object) -> str:
     ... # doctest: +ELLIPSIS
     "Module([FunctionDef('f',arguments([arg('x')]),[Return(BinOp(Constant(2),Mult(),Name('x',Load())))])])"
     """
+    if isinstance(value, ast.Raise | ast.Call) and _is_error(value):
+        value = _Wordless().visit(copy.deepcopy(value))
     if isinstance(value, ast.AST):
         fields = (part for _, part in ast.iter_fields(value) if part is not None and part != [])
         return f"{type(value).__name__}({','.join(map(_said, fields))})"
     if isinstance(value, list):
         return f"[{','.join(_said(part) for part in value if not _is_text(part))}]"
     return repr(value)
+
+
+class _Wordless(ast.NodeTransformer):
+    """Takes the words out of an error."""
+
+    def visit_Constant(self, node: ast.Constant) -> ast.AST:
+        return ast.Constant("") if isinstance(node.value, str) else node
+
+
+def _is_error(node: ast.Raise | ast.Call) -> bool:
+    """Whether a node makes an error: a `raise`, or a call as `entry.error("pr", "must lie between -1 and 0.5")`."""
+    return isinstance(node, ast.Raise) or (isinstance(node.func, ast.Attribute) and node.func.attr == "error")
 
 
 def _is_text(node: object) -> bool:
