@@ -105,7 +105,7 @@ def test_one_list_has_everything(vm, export):
         "export.k:41: *CONTACT_TIED_SHELL_EDGE: unknown keyword",
     ]
     assert found["has no effect here"] == [
-        "export.k:2: *TITLE: a name; no effect on results.",
+        "export.k:2: *TITLE: title; no effect on results.",
         "export.k:7: *CONTROL_TIMESTEP: ERODE = 1: nothing is eroded without DTMIN",
         "export.k:8: *CONTROL_ACCURACY: the stress update is always of second order (OSU = 1).",
         "export.k:14: *DATABASE_NODOUT: asks for output files; no effect on results.",
@@ -143,7 +143,7 @@ def test_a_deck_that_can_run_is_ok_and_what_has_no_effect_is_said(vm, export, tm
     assert out.splitlines() == [
         f"{path}: ok",
         "  has no effect here:",
-        "    export.k:2: *TITLE: a name; no effect on results.",
+        "    export.k:2: *TITLE: title; no effect on results.",
     ]
     (found,) = json.loads((tmp_path / "found.json").read_text())
     assert found["deck"] == str(path)

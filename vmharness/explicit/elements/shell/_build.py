@@ -20,7 +20,7 @@ SUPPORTS = (
         SECTION_SHELL,
         shrf=above(0.0),
         nip=above(0),
-        propt=no_effect("of output alone"),
+        propt=no_effect("affects output only"),
         qr=only(0.0),
         icomp=only(0),
         setyp=only(1),
@@ -33,7 +33,7 @@ SUPPORTS = (
     supports(
         CONTROL_SHELL,
         unless(shells, "the deck has no shells"),
-        wrpang=no_effect("of output alone"),
+        wrpang=no_effect("affects output only"),
         esort=among(0, 1),  # degenerate shells are C0 triangles always
         irnxx=among(-2, -1, 0),  # fibre directions, of which ELFORM 2 has none
         istupd=among(0, 1),
@@ -45,9 +45,9 @@ SUPPORTS = (
         intgrd=only(0),
         lamsht=only(0),
         cstyp6=no_effect("acts on shells of ELFORM 6"),
-        thshel=no_effect("of thermal analysis"),
+        thshel=no_effect("acts in thermal analysis only"),
         pstupd=only(0),
-        sidt4tu=no_effect("of output alone"),
+        sidt4tu=no_effect("affects output only"),
         cntco=only(0),
         itsflg=no_effect("acts on triangles of other formulations"),
         irquad=no_effect("acts on quadratic shells"),

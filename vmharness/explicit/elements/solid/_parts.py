@@ -35,7 +35,7 @@ SUPPORTS = (
         esort=only(0, idle=unless(contents.wedges, "no solid is degenerate")),
         fmatrx=no_effect("another way to the same deformation gradient"),
         niptets=no_effect("acts on tetrahedra"),
-        swlocl=no_effect("of output alone"),
+        swlocl=no_effect("affects output only"),
         psfail=only(0),
         t10jtol=no_effect("acts on tetrahedra"),
         icoh=no_effect("acts on cohesive elements"),
