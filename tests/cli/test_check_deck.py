@@ -119,7 +119,7 @@ def test_what_is_ill_formed_stands_first_and_the_rest_beside_it(vm, export):
     found = lines_of(out)
     assert list(found) == ["ill-formed", "not supported", "has no effect here"]
     assert found["ill-formed"] == ["export.k:32: *MAT_ELASTIC: RO = x: not a number"]
-    assert len(found["not supported"]) == 16
+    assert len(found["not supported"]) == 17
     assert not [line for line in found["not supported"] if "RO =" in line]
 
 

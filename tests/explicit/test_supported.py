@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from vmharness.deck import Deck, DeckErrors, read, vocabulary
+from vmharness.deck import Deck, DeckErrors, read, support, vocabulary
 from vmharness.deck.finding import unsupported
 from vmharness.explicit.build import build, review
 from vmharness.explicit.supported import notes, review_cards, supported
@@ -72,7 +72,7 @@ plate
     ],
 )  # fmt: skip
 def test_what_is_not_implemented_is_refused(deck: Read, content: str, message: str) -> None:
-    errors = unsupported(review_cards(deck("*KEYWORD\n" + content)))
+    errors = unsupported(support.review(deck("*KEYWORD\n" + content), supported()))
     assert str(errors[0]).startswith(f"deck.k:{message}")
     assert len(errors) == 1
 

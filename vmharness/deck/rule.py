@@ -1,6 +1,6 @@
 """What a solver can do with the values of a field: rules for support.py, for numbers, texts and whole columns."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -35,6 +35,16 @@ def among(*values: Any, idle: Why | None = None, what: str = "") -> Rule:
     sentence = f"only {', '.join(others)} and {last} are supported" if others else f"only {last} is supported"
     brief = f"only {', '.join(map(str, values))}"
     return Rule(lambda found: np.isin(found, values), what or sentence, brief, idle)
+
+
+def implemented(names: Mapping[int, str]) -> Rule:
+    """These values alone, such as those of ELFORM, with their names.
+
+    >>> implemented({1: "one point", 2: "fully integrated"}).what
+    'not implemented; supported: 1 (one point), 2 (fully integrated)'
+    """
+    named = ", ".join(f"{value} ({name})" for value, name in names.items())
+    return among(*names, what=f"not implemented; supported: {named}")
 
 
 def only(value: Any, idle: Why | None = None, what: str = "") -> Rule:

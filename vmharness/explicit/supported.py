@@ -8,6 +8,7 @@ import vmharness.explicit
 from vmharness.deck import Deck, support
 from vmharness.deck.finding import Finding
 from vmharness.deck.support import Supported
+from vmharness.explicit.references import review_references
 
 
 @cache
@@ -19,8 +20,9 @@ def supported() -> Supported:
 
 
 def review_cards(deck: Deck) -> list[Finding]:
-    """What of the cards is not supported, and what has no effect; no model is built."""
-    return support.review(deck, supported())
+    """What of the cards is not supported, not defined, or without effect; no model is built."""
+    found = support.review(deck, supported())
+    return found + review_references(deck, supported(), found)
 
 
 def notes(deck: Deck) -> list[str]:

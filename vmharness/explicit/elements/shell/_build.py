@@ -6,7 +6,7 @@ from vmharness.deck import Deck
 from vmharness.deck.keywords.control.shell import CONTROL_SHELL
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.deck.keywords.section.shell import SECTION_SHELL
-from vmharness.deck.rule import above, among, at_least, no_effect, only, unless
+from vmharness.deck.rule import above, among, at_least, implemented, no_effect, only, unless
 from vmharness.deck.support import supports
 from vmharness.explicit.elements.shell._parts import thickness
 from vmharness.explicit.elements.shell._shells import Shells
@@ -15,9 +15,12 @@ from vmharness.explicit.model.contents import shells
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part
 
+ELFORM = 2
+
 SUPPORTS = (
     supports(
         SECTION_SHELL,
+        elform=implemented({ELFORM: "Belytschko-Tsay"}),
         shrf=above(0.0),
         nip=above(0),
         propt=no_effect("affects output only"),
@@ -68,8 +71,6 @@ SUPPORTS = (
         iswshl=only(0),
     ),
 )
-
-ELFORM = 2
 
 
 def add_part(deck: Deck, model: Model, part: Part, name: str, shells: Callable[..., Shells]) -> None:
