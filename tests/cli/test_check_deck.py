@@ -161,3 +161,36 @@ def test_a_deck_beside_cases(vm, export, tmp_path):
     code, out, _ = vm("check", str(export(GOOD)), "no-such-case")
     assert "export.k: ok" in out
     assert code == 5
+
+
+def test_keywords_of_which_the_same_is_to_say_share_a_line(vm, export):
+    text = GOOD.replace("*NODE\n", "*DATABASE_ELOUT\n0.1\n*DATABASE_GLSTAT\n0.1\n*NODE\n", 1)
+    _, out, _ = vm("check", str(export(text)))
+    assert lines_of(out)["has no effect here"][1] == (
+        "export.k:6: *DATABASE_ELOUT, *DATABASE_GLSTAT: asks for output files; no effect on results."
+    )
+
+
+def test_json_has_an_object_for_each_finding(vm, export, tmp_path):
+    text = EXPORT.replace("1,7800.0,2e11", "1,x,2e11").replace("1,1,1,2,3,4\n", "1,1,1,2,3,99\n")
+    path = export(text)
+    assert vm("check", str(path), "--json", str(tmp_path / "found.json"))[0] == 4
+    (found,) = json.loads((tmp_path / "found.json").read_text())
+    place = {"file": "export.k", "line": 32, "keyword": "MAT_ELASTIC", "field": "ro", "value": "x"}
+    assert found["ill-formed"] == [{**place, "what": "not a number", "group": "ill-formed"}]
+    node = {"file": "export.k", "line": 24, "keyword": "ELEMENT_SHELL", "field": "n4", "value": 99}
+    assert {**node, "what": "no *NODE 99", "group": "not supported"} in found["not supported"]
+
+
+def test_a_parameter_without_a_value_is_said_once(vm, export):
+    text = GOOD.replace("*TITLE", "*PARAMETER\nR bad,&nothing\n*TITLE")
+    _, out, _ = vm("check", str(export(text)))
+    assert len(lines_of(out)["ill-formed"]) == 1
+
+
+def test_what_may_stand_among_cards_that_cannot_be_read_is_not_missing(vm, export):
+    """A curve whose card is missing has no number, and neither have the things of a file that is not there."""
+    load = "*LOAD_NODE_POINT\n1,1,7\n*BOUNDARY_SPC_SET\n5,0,1\n"
+    for hidden, missing in (("", 2), ("*DEFINE_CURVE\n", 1), ("*INCLUDE\nother.k\n", 0)):
+        _, out, _ = vm("check", str(export(GOOD.replace("*NODE\n", f"{load}{hidden}*NODE\n"))))
+        assert len(lines_of(out).get("not supported", [])) == missing

@@ -8,7 +8,7 @@ import pytest
 from vmharness.deck import Deck, DeckErrors, read, support, vocabulary
 from vmharness.deck.finding import unsupported
 from vmharness.explicit.build import build, review
-from vmharness.explicit.supported import notes, review_cards, supported
+from vmharness.explicit.supported import notes, supported
 
 Read = Callable[[str], Deck]
 

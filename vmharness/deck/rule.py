@@ -28,13 +28,19 @@ class Rule:
 def among(*values: Any, idle: Why | None = None, what: str = "") -> Rule:
     """These values alone; `what` replaces the sentence that lists them.
 
-    >>> among(0, 1, 2).what, among("MECH").what
-    ('only 0, 1 and 2 are supported', 'only MECH is supported')
+    >>> among(0, 1, 2).what, among("MECH").what, among(0.0, 1e8).what
+    ('only 0, 1 and 2 are supported', 'only MECH is supported', 'only 0.0 and 1e+08 are supported')
     """
-    *others, last = map(str, values)
+    *others, last = map(_shown, values)
     sentence = f"only {', '.join(others)} and {last} are supported" if others else f"only {last} is supported"
-    brief = f"only {', '.join(map(str, values))}"
+    brief = f"only {', '.join(map(_shown, values))}"
     return Rule(lambda found: np.isin(found, values), what or sentence, brief, idle)
+
+
+def _shown(value: Any) -> str:
+    """A value, large and small numbers with an exponent."""
+    short = f"{value:g}" if isinstance(value, float) else ""
+    return short if "e" in short else str(value)
 
 
 def implemented(names: Mapping[int, str]) -> Rule:

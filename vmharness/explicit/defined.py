@@ -66,7 +66,8 @@ class Defined:
             if (values or zero) and not np.any(self.numbers(kind) == values):
                 yield _error(self.deck, entry, name, kind, values)
             return
-        rows = np.flatnonzero(~np.isin(values, self.numbers(kind)) & (values != 0))
+        rows = np.flatnonzero(~_among(values, self.numbers(kind)))
+        rows = rows[values[rows] != 0]
         if not rows.size:
             return
         first = rows[np.sort(np.unique(values[rows], return_index=True)[1])]
@@ -77,11 +78,30 @@ class Defined:
             yield error
 
 
+def distinct(numbers: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Each of the numbers once, in increasing order; faster than np.unique where most follow each other so.
+
+    >>> distinct(np.array([2, 2, 5, 2])).tolist()
+    [2, 5]
+    """
+    changes = numbers[np.flatnonzero(np.diff(numbers, prepend=numbers[:1] - 1))]
+    return changes if np.all(changes[1:] > changes[:-1]) else np.unique(changes)
+
+
+def _among(values: NDArray[np.int64], numbers: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Which `values` (n,) are among the `numbers` (m,), which increase; faster than np.isin."""
+    if not numbers.size:
+        return np.zeros(values.size, bool)
+    if numbers[-1] - numbers[0] == numbers.size - 1:  # without a gap
+        return (values >= numbers[0]) & (values <= numbers[-1])
+    return np.asarray(numbers[np.minimum(np.searchsorted(numbers, values), numbers.size - 1)] == values)
+
+
 def _numbers(deck: Deck, kind: Kind) -> NDArray[np.int64]:
     if kind is RIGID_BODIES:
         return np.array([entry.pid for entry in definitions(deck)], np.int64)
     found = [np.atleast_1d(entry.values.get(entry.keyword.unique, 0)) for entry in deck.all(*kind.keywords)]
-    return np.unique(np.concatenate([np.zeros(0, np.int64), *found]))
+    return distinct(np.concatenate([np.zeros(0, np.int64), *found]))
 
 
 def _error(deck: Deck, entry: Entry, name: str, kind: Kind, number: int, *row: int) -> DeckError:

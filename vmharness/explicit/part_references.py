@@ -2,8 +2,6 @@
 
 from collections.abc import Generator, Iterator, Mapping
 
-import numpy as np
-
 from vmharness.deck import Deck, DeckError, Entry, Keyword
 from vmharness.deck.keywords.element.beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
 from vmharness.deck.keywords.element.discrete import ELEMENT_DISCRETE
@@ -16,7 +14,7 @@ from vmharness.deck.keywords.section.beam import RESULTANT, SECTION_BEAM
 from vmharness.deck.keywords.section.discrete import SECTION_DISCRETE
 from vmharness.deck.keywords.section.shell import SECTION_SHELL
 from vmharness.deck.keywords.section.solid import SECTION_SOLID
-from vmharness.explicit.defined import HOURGLASSES, Defined
+from vmharness.explicit.defined import HOURGLASSES, Defined, distinct
 from vmharness.explicit.materials import law_of, material_of
 
 SECTION: Mapping[Keyword, Keyword] = {
@@ -57,7 +55,7 @@ def _used(deck: Deck) -> Iterator[tuple[int, Keyword]]:
     for keyword, section in SECTION.items():
         for table in deck.all(keyword):
             if "pid" in table.values:
-                found.update(dict.fromkeys((pid, section) for pid in np.unique(table.pid).tolist()))
+                found.update(dict.fromkeys((pid, section) for pid in distinct(table.pid).tolist()))
     yield from found
 
 
