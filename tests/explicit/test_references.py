@@ -201,3 +201,19 @@ def test_the_tables_name_fields_of_keywords() -> None:
     }
     assert all(fields[keyword] >= set(names) for keyword, names in OTHERS.items())
     assert set().union(*fields.values()) >= set(BY_NAME)
+
+
+@pytest.mark.parametrize(
+    "cards",
+    [
+        "*ELEMENT_SOLID\n1,1\n",
+        "*ELEMENT_SOLID\n1,1\n1,2,3,4,5,6,7,8\n\n1,2\n*SET_NODE\n5\n*SET_SEGMENT\n5\n",
+        "*NODE\n*ELEMENT_BEAM\n*SET_PART\n5\n",
+        "*CONTACT_NODES_TO_SURFACE\n1\n*CONTACT_TIED_THINGS\n",
+    ],
+)
+def test_cards_that_cannot_be_read_are_passed_over(deck: Read, cards: str) -> None:
+    """Also where the effect of another card depends on them."""
+    found = deck(MODEL + "*CONTROL_SOLID\n1\n*CONTROL_CONTACT\n0.1,,2\n\n*LOAD_BODY_Z\n7\n" + cards)
+    assert not found.sound
+    assert "*LOAD_BODY_Z: LCID = 7: no *DEFINE_CURVE with LCID = 7; defined: 1" in said(found)

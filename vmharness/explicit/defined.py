@@ -104,17 +104,18 @@ def _numbers(deck: Deck, kind: Kind) -> NDArray[np.int64]:
     return distinct(np.concatenate([np.zeros(0, np.int64), *found]))
 
 
-def _error(deck: Deck, entry: Entry, name: str, kind: Kind, number: int, *row: int) -> DeckError:
+def _error(deck: Deck, entry: Entry, name: str, kind: Kind, number: int, row: int | None = None) -> DeckError:
     """What the builder says, too."""
     if kind in (NODES, SHELLS):
-        error = entry.error(name, f"no *{kind.keywords[0].name} {number}", *row)
+        error = entry.error(name, f"no *{kind.keywords[0].name} {number}", row)
         error.sought = frozenset([kind.keywords[0].name.partition("_")[0]])
         return error
     try:
         if kind is RIGID_BODIES:
             body_number(deck, entry, name)
         else:
-            deck.find(*kind.keywords, referred_by=(entry, name, *row), **{kind.keywords[0].unique: number})
+            place = (entry, name) if row is None else (entry, name, row)
+            deck.find(*kind.keywords, referred_by=place, **{kind.keywords[0].unique: number})
     except DeckError as error:
         error.sought |= {"MAT", "PART"} if kind is RIGID_BODIES else set()
         return error
