@@ -105,7 +105,7 @@ def test_one_list_has_everything(vm, export):
         "export.k:41: *CONTACT_TIED_SHELL_EDGE: unknown keyword",
     ]
     assert found["has no effect here"] == [
-        "export.k:2: *TITLE: a name; no effect on results.",
+        "export.k:2: *TITLE: title; no effect on results.",
         "export.k:7: *CONTROL_TIMESTEP: ERODE = 1: nothing is eroded without DTMIN",
         "export.k:8: *CONTROL_ACCURACY: the stress update is always of second order (OSU = 1).",
         "export.k:14: *DATABASE_NODOUT: asks for output files; no effect on results.",
@@ -119,7 +119,7 @@ def test_what_is_ill_formed_stands_first_and_the_rest_beside_it(vm, export):
     found = lines_of(out)
     assert list(found) == ["ill-formed", "not supported", "has no effect here"]
     assert found["ill-formed"] == ["export.k:32: *MAT_ELASTIC: RO = x: not a number"]
-    assert len(found["not supported"]) == 16
+    assert len(found["not supported"]) == 17
     assert not [line for line in found["not supported"] if "RO =" in line]
 
 
@@ -143,7 +143,7 @@ def test_a_deck_that_can_run_is_ok_and_what_has_no_effect_is_said(vm, export, tm
     assert out.splitlines() == [
         f"{path}: ok",
         "  has no effect here:",
-        "    export.k:2: *TITLE: a name; no effect on results.",
+        "    export.k:2: *TITLE: title; no effect on results.",
     ]
     (found,) = json.loads((tmp_path / "found.json").read_text())
     assert found["deck"] == str(path)
@@ -161,3 +161,36 @@ def test_a_deck_beside_cases(vm, export, tmp_path):
     code, out, _ = vm("check", str(export(GOOD)), "no-such-case")
     assert "export.k: ok" in out
     assert code == 5
+
+
+def test_keywords_of_which_the_same_is_to_say_share_a_line(vm, export):
+    text = GOOD.replace("*NODE\n", "*DATABASE_ELOUT\n0.1\n*DATABASE_GLSTAT\n0.1\n*NODE\n", 1)
+    _, out, _ = vm("check", str(export(text)))
+    assert lines_of(out)["has no effect here"][1] == (
+        "export.k:6: *DATABASE_ELOUT, *DATABASE_GLSTAT: asks for output files; no effect on results."
+    )
+
+
+def test_json_has_an_object_for_each_finding(vm, export, tmp_path):
+    text = EXPORT.replace("1,7800.0,2e11", "1,x,2e11").replace("1,1,1,2,3,4\n", "1,1,1,2,3,99\n")
+    path = export(text)
+    assert vm("check", str(path), "--json", str(tmp_path / "found.json"))[0] == 4
+    (found,) = json.loads((tmp_path / "found.json").read_text())
+    place = {"file": "export.k", "line": 32, "keyword": "MAT_ELASTIC", "field": "ro", "value": "x"}
+    assert found["ill-formed"] == [{**place, "what": "not a number", "group": "ill-formed"}]
+    node = {"file": "export.k", "line": 24, "keyword": "ELEMENT_SHELL", "field": "n4", "value": 99}
+    assert {**node, "what": "no *NODE 99", "group": "not supported"} in found["not supported"]
+
+
+def test_a_parameter_without_a_value_is_said_once(vm, export):
+    text = GOOD.replace("*TITLE", "*PARAMETER\nR bad,&nothing\n*TITLE")
+    _, out, _ = vm("check", str(export(text)))
+    assert len(lines_of(out)["ill-formed"]) == 1
+
+
+def test_what_may_stand_among_cards_that_cannot_be_read_is_not_missing(vm, export):
+    """A curve whose card is missing has no number, and neither have the things of a file that is not there."""
+    load = "*LOAD_NODE_POINT\n1,1,7\n*BOUNDARY_SPC_SET\n5,0,1\n"
+    for hidden, missing in (("", 2), ("*DEFINE_CURVE\n", 1), ("*INCLUDE\nother.k\n", 0)):
+        _, out, _ = vm("check", str(export(GOOD.replace("*NODE\n", f"{load}{hidden}*NODE\n"))))
+        assert len(lines_of(out).get("not supported", [])) == missing

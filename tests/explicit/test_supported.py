@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from vmharness.deck import Deck, DeckErrors, read, vocabulary
+from vmharness.deck import Deck, DeckErrors, read, support, vocabulary
 from vmharness.deck.finding import unsupported
 from vmharness.explicit.build import build, review
-from vmharness.explicit.supported import notes, review_cards, supported
+from vmharness.explicit.supported import notes, supported
 
 Read = Callable[[str], Deck]
 
@@ -72,7 +72,7 @@ plate
     ],
 )  # fmt: skip
 def test_what_is_not_implemented_is_refused(deck: Read, content: str, message: str) -> None:
-    errors = unsupported(review_cards(deck("*KEYWORD\n" + content)))
+    errors = unsupported(support.review(deck("*KEYWORD\n" + content), supported()))
     assert str(errors[0]).startswith(f"deck.k:{message}")
     assert len(errors) == 1
 
@@ -155,7 +155,20 @@ def test_an_option_of_what_the_deck_does_not_have_has_no_effect(deck: Read) -> N
     assert [str(finding) for finding in found] == [
         "deck.k:20: *CONTROL_TIMESTEP: ERODE = 1: nothing is eroded without DTMIN",
         "deck.k:22: *CONTROL_SOLID: ESORT = 1: no solid is degenerate",
-        "deck.k:28: *TITLE: a name; no effect on results.",
+        "deck.k:28: *TITLE: title; no effect on results.",
     ]
     assert all(finding.idle for finding in found)
     build(deck(text))
+
+
+PLAIN, SINGLE = "*CONTACT_NODES_TO_SURFACE\n1,1,3,3\n\n\n", "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n\n\n\n"
+
+
+@pytest.mark.parametrize("known", ["", PLAIN, SINGLE, PLAIN + SINGLE])
+def test_control_contact_is_reviewed_beside_an_unknown_contact(deck: Read, known: str) -> None:
+    control = "*CONTROL_CONTACT\n0.1,,2,1,1\n\n*CONTACT_TIED_NODES_TO_SURFACE_OFFSET\n1,2,4,3\n\n"
+    found = [str(finding) for finding in review(deck("*KEYWORD\n" + MODEL + control + known))]
+    assert any("*CONTACT_TIED_NODES_TO_SURFACE_OFFSET: unknown keyword" in line for line in found)
+    assert any("ISLCHK = 2: initial penetrations are always looked for" in line for line in found)
+    ruled = any("every non-automatic contact sets its own SHLTHK, or there is none" in line for line in found)
+    assert ruled == (PLAIN not in known)

@@ -1,15 +1,20 @@
 """A deck file reviewed for `vm check`: everything that keeps a solver from running it, at once."""
 
 import textwrap
+from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from vmharness.cli.say import say
+
+if TYPE_CHECKING:
+    from vmharness.deck import DeckError
 
 WIDTH = 80
 
 ILL_FORMED, UNSUPPORTED, IDLE = "ill-formed", "not supported", "has no effect here"
 
-Found = dict[str, list[str]]  # group -> lines "file:line: *KEYWORD: FIELD = value: what"
+Found = dict[str, "list[DeckError]"]  # by group, in the order of the deck
 
 
 def is_deck(selector: str) -> bool:
@@ -18,22 +23,50 @@ def is_deck(selector: str) -> bool:
 
 
 def check_deck(path: Path, solver: str) -> Found:
-    """What there is to say of a deck, by group."""
+    """What there is to say of a deck, by group; a field is named once."""
     from vmharness.backends import backend
     from vmharness.deck import read_all, vocabulary
+    from vmharness.deck.finding import Finding, in_order
 
-    deck, wrong = read_all(path, vocabulary())
-    places = {(error.file, error.line, error.field) for error in wrong}
+    deck, errors = read_all(path, vocabulary())
+    wrong = [finding.error for finding in in_order(deck, map(Finding, _one_a_field(errors)))]
+    places = {_place(error) for error in wrong}
+    unread = _unread(wrong)
     findings = [
         finding
         for finding in backend(solver).review(deck, {})
-        if (finding.error.file, finding.error.line, finding.error.field) not in places
+        if _place(finding.error) not in places and not finding.error.sought & unread
     ]
     return {
-        ILL_FORMED: [str(error) for error in wrong],
-        UNSUPPORTED: [str(finding) for finding in findings if not finding.idle],
-        IDLE: [str(finding) for finding in findings if finding.idle],
+        ILL_FORMED: wrong,
+        UNSUPPORTED: [finding.error for finding in findings if not finding.idle],
+        IDLE: [finding.error for finding in findings if finding.idle],
     }
+
+
+def _place(error: "DeckError") -> tuple[str, int, str]:
+    return error.file, error.line, error.field
+
+
+def _one_a_field(errors: "Sequence[DeckError]") -> "Iterator[DeckError]":
+    """The errors without those that follow from another of the same field."""
+    fields = set()
+    for error in errors:
+        if not (error.field and _place(error) in fields):
+            yield error
+        fields.add(_place(error))
+
+
+def _unread(wrong: "Sequence[DeckError]") -> frozenset[str]:
+    """Families of keywords (MAT, SET) that may define what seems to be missing: some of them could not be read."""
+    from vmharness.deck import vocabulary
+
+    keywords = vocabulary().values()
+    families = [(keyword.name.partition("_")[0], keyword.unique) for keyword in keywords]
+    if any(error.keyword in ("", "INCLUDE") for error in wrong):  # a file of the deck is missing
+        return frozenset(family for family, _ in families)
+    own = {(error.keyword.partition("_")[0], error.field) for error in wrong}
+    return frozenset(family for family, unique in families if own & {(family, ""), (family, unique)})
 
 
 def is_good(found: Found) -> bool:
@@ -44,12 +77,39 @@ def is_good(found: Found) -> bool:
 def say_deck(path: Path, found: Found) -> None:
     """Print what was found, in 80 columns."""
     say(f"{path}: {'ok' if is_good(found) else 'wrong'}")
-    for group, lines in found.items():
-        if lines:
+    for group, errors in found.items():
+        if errors:
             say(f"  {group}:")
-        for line in lines:
+        for line in _of_keywords(errors) if group == IDLE else map(str, errors):
             say(
                 textwrap.fill(
                     line, WIDTH, initial_indent="    ", subsequent_indent="      ", break_on_hyphens=False
                 )
             )
+
+
+def as_objects(found: Found) -> dict[str, list[dict[str, Any]]]:
+    """The findings by group, each as an object, for JSON."""
+    names = ("file", "line", "keyword", "field", "value", "what")
+    return {
+        group: [{name: _plain(getattr(error, name)) for name in names} | {"group": group} for error in errors]
+        for group, errors in found.items()
+    }
+
+
+def _plain(value: Any) -> Any:
+    """A value without the types of numpy."""
+    return value.tolist() if hasattr(value, "tolist") else value
+
+
+def _of_keywords(errors: "Sequence[DeckError]") -> Iterator[str]:
+    """A line for each error; one line, at the place of the first, for all keywords of which the same is to say."""
+    alike: dict[str, list[str]] = {}
+    for error in errors:
+        if not error.field:
+            alike.setdefault(error.what, []).append(f"*{error.keyword}")
+    for error in errors:
+        if error.field:
+            yield str(error)
+        elif keywords := alike.pop(error.what, []):
+            yield f"{error.file}:{error.line}: {', '.join(keywords)}: {error.what}"

@@ -1,6 +1,6 @@
 """What a solver can do with the values of a field: rules for support.py, for numbers, texts and whole columns."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -28,13 +28,29 @@ class Rule:
 def among(*values: Any, idle: Why | None = None, what: str = "") -> Rule:
     """These values alone; `what` replaces the sentence that lists them.
 
-    >>> among(0, 1, 2).what, among("MECH").what
-    ('only 0, 1 and 2 are supported', 'only MECH is supported')
+    >>> among(0, 1, 2).what, among("MECH").what, among(0.0, 1e8).what
+    ('only 0, 1 and 2 are supported', 'only MECH is supported', 'only 0.0 and 1e+08 are supported')
     """
-    *others, last = map(str, values)
+    *others, last = map(_shown, values)
     sentence = f"only {', '.join(others)} and {last} are supported" if others else f"only {last} is supported"
-    brief = f"only {', '.join(map(str, values))}"
+    brief = f"only {', '.join(map(_shown, values))}"
     return Rule(lambda found: np.isin(found, values), what or sentence, brief, idle)
+
+
+def _shown(value: Any) -> str:
+    """A value, large and small numbers with an exponent."""
+    short = f"{value:g}" if isinstance(value, float) else ""
+    return short if "e" in short else str(value)
+
+
+def implemented(names: Mapping[int, str]) -> Rule:
+    """These values alone, such as those of ELFORM, with their names.
+
+    >>> implemented({1: "one point", 2: "fully integrated"}).what
+    'not implemented; supported: 1 (one point), 2 (fully integrated)'
+    """
+    named = ", ".join(f"{value} ({name})" for value, name in names.items())
+    return among(*names, what=f"not implemented; supported: {named}")
 
 
 def only(value: Any, idle: Why | None = None, what: str = "") -> Rule:

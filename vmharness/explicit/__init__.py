@@ -1,6 +1,6 @@
 """The built-in solver: explicit dynamics by central differences, from a deck to states.
 
-    supported.py    what is supported of the keywords, and what has no effect: SUPPORTS of the modules
+    references.py   what cards refer to, and whether the deck defines it
     build.py        a deck -> its model; the order of the passes, with reasons
     loop.py         the method: forces -> accelerations -> velocities -> positions
     state.py        positions, velocities, forces, masses: the arrays that the loop updates

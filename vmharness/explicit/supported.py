@@ -1,13 +1,15 @@
 """What the solver supports of the keywords, and what it says of a deck: gathered from the modules that declare it."""
 
+from dataclasses import replace
 from functools import cache
 from importlib import import_module
 from pkgutil import walk_packages
 
 import vmharness.explicit
-from vmharness.deck import Deck, support
+from vmharness.deck import Deck, Entry, support
 from vmharness.deck.finding import Finding
 from vmharness.deck.support import Supported
+from vmharness.explicit.references import review_references
 
 
 @cache
@@ -19,8 +21,21 @@ def supported() -> Supported:
 
 
 def review_cards(deck: Deck) -> list[Finding]:
-    """What of the cards is not supported, and what has no effect; no model is built."""
-    return support.review(deck, supported())
+    """What of the cards is not supported, not defined, or without effect; no model is built."""
+    if not deck.sound:
+        deck = replace(deck, entries=[entry for entry in deck.entries if _has_rows(entry)], _by_name={})
+    found = support.review(deck, supported())
+    return found + review_references(deck, supported(), found)
+
+
+def _has_rows(entry: Entry) -> bool:
+    """Whether all columns of the entry could be read, if it is a table."""
+    rows = [getattr(card, "flat", "") or card.defaults() for card in entry.keyword.rows]
+    columns = {name for names in rows for name in ([names] if isinstance(names, str) else names)}
+    one_line = entry.keyword.one_line
+    return columns <= entry.values.keys() or bool(
+        one_line and one_line.defaults().keys() <= entry.values.keys()
+    )
 
 
 def notes(deck: Deck) -> list[str]:

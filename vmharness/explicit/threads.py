@@ -26,7 +26,7 @@ SUPPORTS = (
         CONTROL_PARALLEL,
         ncpu=at_least(1),
         numrhs=no_effect("each thread has forces of its own"),
-        const=no_effect("different numbers of threads agree to round-off"),
+        const=no_effect("results do not depend on the number of threads, except for round-off"),
         para=no_effect("of how LS-DYNA adds up forces"),
     ),
 )

@@ -17,12 +17,12 @@ from vmharness.deck.support import supports, without_effect
 
 REASONS: dict[Keyword, str] = {
     **dict.fromkeys(database.KEYWORDS, "asks for output files; no effect on results."),
-    COMMENT: "words; no effect on results.",
-    TITLE: "a name; no effect on results.",
+    COMMENT: "comment text; no effect on results.",
+    TITLE: "title; no effect on results.",
     CONTROL_ENERGY: "every energy is always computed.",
     CONTROL_OUTPUT: "asks for print-outs; no effect on results.",
     CONTROL_UNITS: "the units are those of the numbers; no effect on results.",
-    PARAMETER_DUPLICATION: "no parameter may be defined again.",
+    PARAMETER_DUPLICATION: "a second definition of a parameter is always an error.",
     **dict.fromkeys(
         (
             coordinate.DEFINE_BOX,
@@ -53,11 +53,11 @@ SUPPORTS = (
     supports(
         CONTROL_SOLUTION,
         soln=only(0),  # structures
-        nlq=no_effect("of the vectors that LS-DYNA works on"),
+        nlq=no_effect("sets a vector length inside LS-DYNA"),
         isnan=no_effect("a run that diverges ends in any case"),
         lcint=no_effect("curves are used as they are"),
         lcacc=no_effect("curves are used as they are"),
-        ncdcf=no_effect("of thermal analysis"),
-        nocop=no_effect("of thermal analysis"),
+        ncdcf=no_effect("acts in thermal analysis only"),
+        nocop=no_effect("acts in thermal analysis only"),
     ),
 )

@@ -29,18 +29,18 @@ def test_defaults_written_out_are_not_said(bodies, keyword):
 @pytest.mark.parametrize(
     ("keyword", "cards", "said"),
     [
-        (PLAIN, dict(optional=",,,,,,10\n"), "BSORT = 10 (velocities say when to sort)"),
+        (PLAIN, dict(optional=",,,,,,10\n"), "BSORT = 10 (the search interval follows from the nodal velocities)"),
         (PLAIN, dict(optional=",0.2,,,3,5\n"), "SBOPT = 3 (act with SOFT = 2); DEPTH = 5 (act with SOFT = 2); "
          "SOFSCL = 0.2 (acts with SOFT = 1)"),
         (PLAIN, dict(optional="1,0.2\n"), ""),
-        (PLAIN, dict(one="8,1,4,3,0,0,1,1"), "SAPR = 1 (of output alone); SBPR = 1 (of output alone)"),
-        (PLAIN, dict(optional="\n\n2,,,,,,,4\n"), "CID_RCF = 4 (of output alone); IGAP = 2 (of implicit analysis)"),
+        (PLAIN, dict(one="8,1,4,3,0,0,1,1"), "SAPR = 1 (affects output only); SBPR = 1 (affects output only)"),
+        (PLAIN, dict(optional="\n\n2,,,,,,,4\n"), "CID_RCF = 4 (affects output only); IGAP = 2 (acts in implicit analysis only)"),
         (PLAIN, dict(three=",,0.1,0.1,2.0"), "SAST = 0.1 (SHLTHK = 0: no thickness counts); "
          "SFSAT = 2.0 (SHLTHK = 0: no thickness counts); SBST = 0.1 (SHLTHK = 0: no thickness counts)"),
         (PLAIN, dict(three=",,0.1,0.1", optional="\n,,1\n"), ""),
-        (AUTOMATIC, dict(three=",,,0.1,,2.0"), "SFSBT = 2.0 (SBST rules)"),
+        (AUTOMATIC, dict(three=",,,0.1,,2.0"), "SFSBT = 2.0 (SBST is used instead)"),
         (AUTOMATIC, dict(optional="\n,,1\n"), "SHLTHK = 1 (thickness always counts)"),
-        (PLAIN, dict(two=",,,,,2", optional="\n0.1\n"), "PENMAX = 0.1 (PENCHK rules)"),
+        (PLAIN, dict(two=",,,,,2", optional="\n0.1\n"), "PENMAX = 0.1 (PENCHK is used instead)"),
         (PLAIN, dict(two="0.3,0.2"), "FD = 0.2 (DC = 0 keeps friction at FS)"),
         (PLAIN, dict(two="0.3,0.2,1.0"), ""),
         (PLAIN, dict(two="0.3,0.3,1.0"), "DC = 1.0 (FS = FD)"),
@@ -50,7 +50,7 @@ def test_defaults_written_out_are_not_said(bodies, keyword):
         (PLAIN, dict(three="3.0", more="*CONTROL_CONTACT\n,,,,2\n\n"), "SFSA = 3.0 (PENOPT = 2: the stiffness is that "
          "of the segments)"),
         (TWO_WAY, dict(three="3.0", more="*CONTROL_CONTACT\n,,,,2\n\n"), ""),
-        (SINGLE, dict(one="4,0,5,0"), "SURFA = 4 (the kind of the surface is all)"),
+        (SINGLE, dict(one="4,0,5,0"), "SURFA = 4 (SURFATYP = 5 means all parts; the number is not used)"),
     ],
 )  # fmt: skip
 def test_a_field_that_does_not_act_is_said_with_its_reason(bodies, keyword, cards, said):
@@ -61,17 +61,17 @@ def test_a_field_that_does_not_act_is_said_with_its_reason(bodies, keyword, card
     ("cards", "keyword", "said"),
     [
         (",,1,,,,1\n\n", PLAIN, ""),
-        ("\n,,50\n", PLAIN, "NSBCS = 50 (velocities say when to sort)"),
+        ("\n,,50\n", PLAIN, "NSBCS = 50 (the search interval follows from the nodal velocities)"),
         (",1.0,2\n\n", PLAIN, "ISLCHK = 2 (initial penetrations are always looked for); "
          "RWPNAL = 1.0 (acts on rigid bodies at rigid walls)"),
         ("\n,,,,2.0,1,1,1\n", PLAIN, "ECDT = 1 (acts on eroding contacts); TIEDPRJ = 1 (acts on tied contacts); "
          "XPENE = 2.0 (acts with PENCHK = 1); SSTHK = 1 (acts on single surfaces)"),
         ("\n,,,,,1\n", SINGLE, ""),
         (",,,1,,,2\n\n", AUTOMATIC, "ORIEN = 2 (acts on contacts that are not automatic); "
-         "SHLTHK = 1 (no contact that is not automatic, without its own)"),
+         "SHLTHK = 1 (every non-automatic contact sets its own SHLTHK, or there is none)"),
         ("\n\n\n,1,1,1\n,,0\n,,,,1\n", PLAIN, "FRCENG = 1 (the energy of friction is always kept); "
-         "SKIPRWG = 1 (of output alone); OUTSEG = 1 (of output alone); FTALL = 1 (of output alone); "
-         "RWGAPS = 0 (of implicit analysis)"),
+         "SKIPRWG = 1 (affects output only); OUTSEG = 1 (affects output only); FTALL = 1 (affects output only); "
+         "RWGAPS = 0 (acts in implicit analysis only)"),
     ],
 )  # fmt: skip
 def test_so_it_is_for_control_contact(bodies, cards, keyword, said):
@@ -81,7 +81,7 @@ def test_so_it_is_for_control_contact(bodies, cards, keyword, said):
 def test_a_deck_without_contact_has_none_that_it_scales(bodies):
     facts = build(bodies("*CONTROL_CONTACT\n0.2,,,,2\n\n\n1\n")).facts
     assert facts["Without effect in *CONTROL_CONTACT"] == (
-        "SLSFAC = 0.2 (no contact); PENOPT = 2 (no contact); IGNORE = 1 (no contact without its own)"
+        "SLSFAC = 0.2 (no contact); PENOPT = 2 (no contact); IGNORE = 1 (every contact sets its own IGNORE)"
     )
 
 

@@ -5,7 +5,7 @@ from typing import Any
 
 import click
 
-from vmharness.cli.deck import Found, check_deck, is_deck, is_good, say_deck
+from vmharness.cli.deck import Found, as_objects, check_deck, is_deck, is_good, say_deck
 from vmharness.cli.options import FILE, solver_option
 from vmharness.cli.say import complain, say, write_file
 from vmharness.cli.selection import selected, selecting
@@ -83,5 +83,5 @@ def _write(path: Path | None, reviews: dict[str, Review], decks: dict[str, Found
     found: list[dict[str, Any]] = [
         {"case": id, "wrong": review.wrong, "doubtful": review.doubtful} for id, review in reviews.items()
     ]
-    found += [{"deck": name, **groups} for name, groups in decks.items()]
+    found += [{"deck": name, **as_objects(of_deck)} for name, of_deck in decks.items()]
     write_file(path, msgspec.json.format(msgspec.json.encode(found), indent=1).decode() + "\n")

@@ -5,11 +5,16 @@ supported.py; but for SNLOG = 0, the default, whose logic for shooting nodes no 
 """
 
 from collections.abc import Iterator, Mapping
-from typing import Any
+from functools import cache
+from typing import TYPE_CHECKING, Any
 
+from vmharness import plugins
 from vmharness.deck import Deck, Entry, Keyword
 from vmharness.explicit.contact.cards import number_of
 from vmharness.mesh.surface import ALL
+
+if TYPE_CHECKING:
+    from vmharness.explicit.contact.build import Kind
 
 Reason = tuple[tuple[str, ...], str]  # fields, and why they do not act
 
@@ -30,9 +35,16 @@ def of_control(control: Entry, contacts: list[Entry]) -> dict[str, str]:
     return _fact("*CONTROL_CONTACT", control, of_control_cards(contacts))
 
 
-def automatic(entry: Entry) -> bool:
-    """Whether the contact is one of those in which thickness counts always."""
-    return "AUTOMATIC" in entry.keyword.name
+@cache
+def kinds() -> "dict[Keyword, Kind]":
+    """The supported contacts by their keywords."""
+    found = plugins.modules("vmharness.explicit.contact.kinds", "KIND")
+    return {module.KIND.keyword: module.KIND for module in found}
+
+
+def kind_of(entry: Entry) -> "Kind":
+    """Properties of the contact's keyword."""
+    return kinds()[entry.keyword]
 
 
 def _fact(name: str, entry: Entry, reasons: Iterator[Reason]) -> dict[str, str]:
@@ -51,7 +63,7 @@ def _defaults(keyword: Keyword) -> dict[str, Any]:
 
 
 def _thick(entry: Entry, control: Mapping[str, Any]) -> bool:
-    return automatic(entry) or bool(entry.shlthk or control["shlthk"])
+    return kind_of(entry).automatic or bool(entry.shlthk or control["shlthk"])
 
 
 def reason(reasons: Iterator[Reason], field: str) -> str:
@@ -61,31 +73,31 @@ def reason(reasons: Iterator[Reason], field: str) -> str:
 
 def of_cards(entry: Entry, control: Mapping[str, Any], two_way: bool) -> Iterator[Reason]:
     """What does not act beside the other fields of a contact."""
-    yield ("sapr", "sbpr", "cid_rcf"), "of output alone"
-    yield ("bsort",), "velocities say when to sort"
-    yield ("igap",), "of implicit analysis"
+    yield ("sapr", "sbpr", "cid_rcf"), "affects output only"
+    yield ("bsort",), "the search interval follows from the nodal velocities"
+    yield ("igap",), "acts in implicit analysis only"
     yield ("sbopt", "depth"), "act with SOFT = 2"
     if entry.soft == 0:
         yield ("sofscl",), "acts with SOFT = 1"
     if entry.penchk:
-        yield ("penmax",), "PENCHK rules"
-    if control["penopt"] == 2 and not two_way and "SINGLE" not in entry.keyword.name:
+        yield ("penmax",), "PENCHK is used instead"
+    if control["penopt"] == 2 and not two_way and not kind_of(entry).single_surface:
         yield ("sfsa",), "PENOPT = 2: the stiffness is that of the segments"
     for side in "ab":
         if getattr(entry, f"surf{side}typ") == ALL:
-            yield (f"surf{side}",), "the kind of the surface is all"
+            yield (f"surf{side}",), f"SURF{side.upper()}TYP = {ALL} means all parts; the number is not used"
     yield from _of_thickness(entry, control)
     yield from _of_friction(entry)
 
 
 def _of_thickness(entry: Entry, control: Mapping[str, Any]) -> Iterator[Reason]:
-    if automatic(entry):
+    if kind_of(entry).automatic:
         yield ("shlthk",), "thickness always counts"
     for side in "ab":
         if not _thick(entry, control):
             yield (f"s{side}st", f"sfs{side}t"), "SHLTHK = 0: no thickness counts"
         elif getattr(entry, f"s{side}st"):
-            yield (f"sfs{side}t",), f"S{side.upper()}ST rules"
+            yield (f"sfs{side}t",), f"S{side.upper()}ST is used instead"
 
 
 def _of_friction(entry: Entry) -> Iterator[Reason]:
@@ -100,25 +112,26 @@ def _of_friction(entry: Entry) -> Iterator[Reason]:
 
 
 def of_control_cards(contacts: list[Entry]) -> Iterator[Reason]:
-    """What of *CONTROL_CONTACT does not act on any of the contacts."""
-    plain = [entry for entry in contacts if not automatic(entry)]
-    yield ("nsbcs",), "velocities say when to sort"
+    """What of *CONTROL_CONTACT does not act on any of the contacts; those that are not supported are left out."""
+    contacts = [entry for entry in contacts if entry.keyword in kinds()]
+    plain = [entry for entry in contacts if not kind_of(entry).automatic]
+    yield ("nsbcs",), "the search interval follows from the nodal velocities"
     yield ("islchk",), "initial penetrations are always looked for"
     yield ("frceng",), "the energy of friction is always kept"
-    yield ("skiprwg", "outseg", "ftall"), "of output alone"
+    yield ("skiprwg", "outseg", "ftall"), "affects output only"
     yield ("ecdt",), "acts on eroding contacts"
     yield ("tiedprj",), "acts on tied contacts"
-    yield ("rwgaps",), "of implicit analysis"
+    yield ("rwgaps",), "acts in implicit analysis only"
     yield ("rwpnal",), "acts on rigid bodies at rigid walls"
     if not contacts:
         yield ("slsfac", "penopt"), "no contact"
     if all(entry.ignore for entry in contacts):
-        yield ("ignore",), "no contact without its own"
+        yield ("ignore",), "every contact sets its own IGNORE"
     if not any(entry.penchk == 1 for entry in contacts):
         yield ("xpene",), "acts with PENCHK = 1"
-    if not any("SINGLE" in entry.keyword.name for entry in contacts):
+    if not any(kind_of(entry).single_surface for entry in contacts):
         yield ("ssthk",), "acts on single surfaces"
     if not plain:
         yield ("orien",), "acts on contacts that are not automatic"
     if all(entry.shlthk for entry in plain):
-        yield ("shlthk",), "no contact that is not automatic, without its own"
+        yield ("shlthk",), "every non-automatic contact sets its own SHLTHK, or there is none"

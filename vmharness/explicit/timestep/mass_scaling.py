@@ -59,7 +59,7 @@ SUPPORTS = (
         ihdo=only(0, idle=unless(solids, "the deck has no solids")),
         igado=no_effect("acts on isogeometric elements"),
         dtusr=only(0),
-        dtdynv=no_effect("of output alone"),
+        dtdynv=no_effect("affects output only"),
     ),
     supports(
         CONTROL_TERMINATION,

@@ -19,7 +19,7 @@ from vmharness.explicit.state import Array
 
 SUPPORTS = (
     supports(
-        ELEMENT_DISCRETE, n2=at_least(0), vid=at_least(0), s=above(0.0), pf=no_effect("of output alone")
+        ELEMENT_DISCRETE, n2=at_least(0), vid=at_least(0), s=above(0.0), pf=no_effect("affects output only")
     ),
     supports(
         SECTION_DISCRETE,

@@ -6,7 +6,7 @@ from vmharness.deck import Deck
 from vmharness.deck.keywords.control.shell import CONTROL_SHELL
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.deck.keywords.section.shell import SECTION_SHELL
-from vmharness.deck.rule import above, among, at_least, no_effect, only, unless
+from vmharness.deck.rule import above, among, at_least, implemented, no_effect, only, unless
 from vmharness.deck.support import supports
 from vmharness.explicit.elements.shell._parts import thickness
 from vmharness.explicit.elements.shell._shells import Shells
@@ -15,12 +15,15 @@ from vmharness.explicit.model.contents import shells
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part
 
+ELFORM = 2
+
 SUPPORTS = (
     supports(
         SECTION_SHELL,
+        elform=implemented({ELFORM: "Belytschko-Tsay"}),
         shrf=above(0.0),
         nip=above(0),
-        propt=no_effect("of output alone"),
+        propt=no_effect("affects output only"),
         qr=only(0.0),
         icomp=only(0),
         setyp=only(1),
@@ -33,7 +36,7 @@ SUPPORTS = (
     supports(
         CONTROL_SHELL,
         unless(shells, "the deck has no shells"),
-        wrpang=no_effect("of output alone"),
+        wrpang=no_effect("affects output only"),
         esort=among(0, 1),  # degenerate shells are C0 triangles always
         irnxx=among(-2, -1, 0),  # fibre directions, of which ELFORM 2 has none
         istupd=among(0, 1),
@@ -45,9 +48,9 @@ SUPPORTS = (
         intgrd=only(0),
         lamsht=only(0),
         cstyp6=no_effect("acts on shells of ELFORM 6"),
-        thshel=no_effect("of thermal analysis"),
+        thshel=no_effect("acts in thermal analysis only"),
         pstupd=only(0),
-        sidt4tu=no_effect("of output alone"),
+        sidt4tu=no_effect("affects output only"),
         cntco=only(0),
         itsflg=no_effect("acts on triangles of other formulations"),
         irquad=no_effect("acts on quadratic shells"),
@@ -68,8 +71,6 @@ SUPPORTS = (
         iswshl=only(0),
     ),
 )
-
-ELFORM = 2
 
 
 def add_part(deck: Deck, model: Model, part: Part, name: str, shells: Callable[..., Shells]) -> None:

@@ -10,7 +10,7 @@ from vmharness.deck.keywords.control.solid import CONTROL_SOLID
 from vmharness.deck.keywords.element.solid import ELEMENT_SOLID
 from vmharness.deck.keywords.hourglass import HOURGLASS
 from vmharness.deck.keywords.section.solid import SECTION_SOLID
-from vmharness.deck.rule import at_least, no_effect, only, unless
+from vmharness.deck.rule import at_least, implemented, no_effect, only, unless
 from vmharness.deck.support import supports
 from vmharness.explicit.elements.solid._gradient import measures
 from vmharness.explicit.model import contents
@@ -18,9 +18,12 @@ from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part, parts
 from vmharness.explicit.state import Array
 
+Q1, Q2 = 1.5, 0.06
+ELFORMS = {1: "one point", 2: "fully integrated"}
+
 SUPPORTS = (
     supports(ELEMENT_SOLID, n9=only(0), n10=only(0)),
-    supports(SECTION_SOLID, aet=only(0), cohoff=only(0.0), gaskett=only(0.0)),
+    supports(SECTION_SOLID, elform=implemented(ELFORMS), aet=only(0), cohoff=only(0.0), gaskett=only(0.0)),
     supports(
         CONTROL_BULK_VISCOSITY,
         q1=at_least(0.0),
@@ -35,7 +38,7 @@ SUPPORTS = (
         esort=only(0, idle=unless(contents.wedges, "no solid is degenerate")),
         fmatrx=no_effect("another way to the same deformation gradient"),
         niptets=no_effect("acts on tetrahedra"),
-        swlocl=no_effect("of output alone"),
+        swlocl=no_effect("affects output only"),
         psfail=only(0),
         t10jtol=no_effect("acts on tetrahedra"),
         icoh=no_effect("acts on cohesive elements"),
@@ -46,9 +49,6 @@ SUPPORTS = (
         coheqc=no_effect("acts on cohesive elements"),
     ),
 )
-
-Q1, Q2 = 1.5, 0.06
-ELFORMS = {1: "one point", 2: "fully integrated"}
 
 
 def solid_parts(deck: Deck, model: Model, elform: int) -> Iterator[Part]:
