@@ -19,14 +19,14 @@ def is_deck(selector: str) -> bool:
 
 def check_deck(path: Path, solver: str) -> Found:
     """What there is to say of a deck, by group."""
-    from vmharness.backends import backend
+    from vmharness.backends import calls
     from vmharness.deck import read_all, vocabulary
 
     deck, wrong = read_all(path, vocabulary())
     places = {(error.file, error.line, error.field) for error in wrong}
     findings = [
         finding
-        for finding in backend(solver).review(deck, {})
+        for finding in calls.solver(solver).review(deck, {})
         if (finding.error.file, finding.error.line, finding.error.field) not in places
     ]
     return {
