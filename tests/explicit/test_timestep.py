@@ -90,7 +90,7 @@ def test_mass_scaling_leaves_what_is_slow_enough(wall_and):
         (timestep(lctm=7), r"LCTM = 7: no \*DEFINE_CURVE with LCID = 7"),
         (
             "*DEFINE_CURVE\n2\n0.0,1.0\n5.0,0.0\n" + timestep(lctm=2),
-            r"LCTM = 2: a largest step that is not positive",
+            r"LCTM = 2: the largest step must be positive",
         ),
     ],
 )

@@ -18,6 +18,7 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 
 SOLVER = "builtin"
 TIMEOUT = 600.0  # seconds
+TITLES = {"junit": "JUnit XML"}  # of export formats, where it is not the name in capitals
 FILE = File()
 FOLDER = click.Path(file_okay=False, path_type=Path)
 
@@ -111,7 +112,7 @@ def formats(command: Command) -> Command:
             metavar="FILE",
             expose_value=False,
             callback=_remember,
-            help=f"Also write the results as {name.upper()}.",
+            help=f"Also write the results as {TITLES.get(name, name.upper())}.",
         )(command)
     return command
 

@@ -1,6 +1,5 @@
 """The built-in solver: explicit dynamics by central differences, from a deck to states.
 
-    supported.py    what is supported of the keywords, and what has no effect: SUPPORTS of the modules
     build.py        a deck -> its model; the order of the passes, with reasons
     loop.py         the method: forces -> accelerations -> velocities -> positions
     state.py        positions, velocities, forces, masses: the arrays that the loop updates
@@ -8,7 +7,8 @@
     constraint.py   what the loop asks of a constraint: supports, motions, damping, walls, rigid bodies
     energy.py       energies, their ratio, and the check of their balance
     threads.py      forces of all elements, by several threads if NCPU asks for them
-    supported.py    what the solver supports of each keyword; without_effect.py: keywords that change no result
+    supported.py    what the solver supports of each keyword: SUPPORTS of the modules, joined
+    without_effect.py  keywords that change no result
     error.py        the error that ends a run
 
 Rooms by theory:
