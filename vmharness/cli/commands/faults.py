@@ -28,7 +28,7 @@ def command(
     out: Path,
     json: Path | None,
 ) -> int:
-    """Plant faults, one at a time, and see which results fail.
+    """Plant faults one by one; see which of them make a result fail.
 
     The faults are in the deck, in the built-in solver and in the reading of the results. With another solver, only
     faults of deck and reading are planted.

@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 @click.argument("words", nargs=-1, metavar="[WORD]...")
 @solver_option()
 def command(words: tuple[str, ...], solver: str) -> int:
-    """List the known keywords, or the cards of some.
+    """List the known keywords, or show the cards of some.
 
     With WORDs, the command lists only keywords whose names contain one of them, with their cards. A card shows each
-    field in capitals with its default. If the solver supports some values of a field only, the card shows them.
+    field in capitals with its default. If the solver supports only some values of a field, the card shows them.
     """
     from vmharness.backends import calls
     from vmharness.deck import vocabulary

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 def command(selector: str, cases: Path | None, solver: str) -> int:
     """Show a case: data, theory, deck, tolerances, faults.
 
-    The theory is shown with its numbers.
+    Each formula of the theory is shown with its value.
 
     ID is an id, or the path of a case folder.
     """
