@@ -238,3 +238,13 @@ def test_support_is_that_of_the_chosen_solver(ball, vm, other):
     code, out, _ = vm("show", "VM-061", "--solver", "other")
     assert code == 0
     assert remark not in out
+
+
+def test_a_study_of_another_solver_says_that_no_fault_of_it_is_planted(ball, vm, other):
+    other()
+    ball()
+    code, out, err = vm("faults", "VM-061", "--solver", "other", "-j", "1")
+    assert code == 6
+    assert "VM-061: the run without a fault does not pass" in err
+    assert "no fault of the solver was planted" in out
+    assert "0 of 0" not in out
