@@ -9,7 +9,7 @@ from vmharness.case import read
 from vmharness.case.tolerance import review
 from vmharness.compare import Verdict
 from vmharness.run import run
-from vmharness.studies.faults.declared import with_fault
+from vmharness.studies.faults.declared import faulty_data
 
 FOLDERS = sorted(path.parent for path in (Path(__file__).parents[1] / "cases").glob("*/case.toml"))
 CASES = [read(folder) for folder in FOLDERS]
@@ -34,7 +34,7 @@ def test_budgets_justify_tolerances(case):
 
 @pytest.mark.parametrize(("case", "fault"), FAULTS)
 def test_declared_faults_fail_what_they_must(case, fault):
-    wrong = run(with_fault(case, fault), builtin)
+    wrong = run(case.with_deck_of(faulty_data(case, fault)), builtin)
     assert wrong.verdict is Verdict.FAIL
     failed = {row.key for row in wrong.rows if row.verdict is Verdict.FAIL}
     assert set(fault.must_fail) <= failed

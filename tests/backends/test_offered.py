@@ -2,7 +2,8 @@
 
 import pytest
 
-from vmharness.backends import BackendError, backend, names
+from vmharness.backends import BackendError, backend, calls, names
+from vmharness.deck import DeckError
 
 SOUND = """
 from vmharness.backends.protocol import Found
@@ -55,3 +56,39 @@ def test_a_name_is_taken_once(installed):
 def test_an_unknown_name_says_which_there_are():
     with pytest.raises(BackendError, match="no solver abaqus; there are: builtin"):
         backend("abaqus")
+
+
+@pytest.mark.parametrize("call", ["found", "review", "reports", "solve"])
+def test_what_a_function_raises_is_an_error_of_its_solver(installed, call):
+    raising = "def _raise(*given):\n    raise KeyError('x')\n"
+    installed("other", SOUND + raising + f"{call} = _raise\n")
+    given = {"found": (), "reports": (None,), "solve": (None,)}.get(call, (None, {}))
+    with pytest.raises(BackendError, match=rf"^solver other: {call} failed: KeyError: 'x'$"):
+        getattr(calls.solver("other"), call)(*given)
+
+
+def test_what_the_protocol_lets_a_solver_raise_is_passed_on(installed):
+    raising = (
+        "from vmharness.deck import DeckError\ndef review(*given):\n    raise DeckError('no such card')\n"
+    )
+    installed("other", SOUND + raising)
+    with pytest.raises(DeckError, match="no such card"):
+        calls.solver("other").review(None, {})
+
+
+def test_an_exception_of_the_built_in_solver_stays_a_defect(monkeypatch):
+    def fail(*given):
+        raise KeyError("x")
+
+    monkeypatch.setattr(backend("builtin"), "review", fail)
+    with pytest.raises(KeyError):
+        calls.solver("builtin").review(None, {})
+
+
+def test_a_solver_need_not_declare_what_it_supports(installed):
+    installed("other", SOUND)
+    assert calls.supported("other") is None
+    assert "MAT_ELASTIC" in calls.supported("builtin")
+    installed("third", SOUND + "def supported():\n    raise KeyError('x')\n")
+    with pytest.raises(BackendError, match=r"^solver third: supported failed: KeyError: 'x'$"):
+        calls.supported("third")

@@ -8,7 +8,7 @@ from vmharness.case.deck import read_deck
 from vmharness.case.format import Fault
 from vmharness.case.template import render
 from vmharness.solve import solve
-from vmharness.studies.faults.declared import with_fault
+from vmharness.studies.faults.declared import faulty_data
 
 BAR = Path(__file__).parents[2] / "cases" / "D-37"
 
@@ -56,7 +56,8 @@ def test_a_mesh_follows_from_the_data(n):
 def test_a_fault_in_what_only_the_template_uses_is_in_the_deck():
     sound = read(BAR)
     assert not any("n" in sound.origins(f"parameter {name}") for name in sound.file.deck.parameters)
-    wrong = with_fault(sound, Fault(text="A coarser bar", change={"n": "=50"}, must_fail=["t_arrival"]))
+    coarser = Fault(text="A coarser bar", change={"n": "=50"}, must_fail=["t_arrival"])
+    wrong = sound.with_deck_of(faulty_data(sound, coarser))
     assert len(read_deck(wrong).one("ELEMENT_BEAM").eid) == 50
     assert wrong.values == sound.values
     assert wrong.changed == frozenset()

@@ -13,6 +13,45 @@ ROOT = Path(__file__).parents[2]
 BALL = ROOT / "cases" / "VM-061"
 DENSITY = "RRHO         7.3E-4"  # of the wall, whose nodes are held: it sets the time step, and nothing else
 
+FALL = """*KEYWORD
+*TITLE
+a ball that falls
+*CONTROL_TERMINATION
+1.0
+*NODE
+1,0.0,0.0,0.0,7,7
+2,1.0,0.0,0.0
+*PART
+spring
+1,1,1
+*SECTION_DISCRETE
+1
+
+
+*MAT_SPRING_ELASTIC
+1,1e-6
+*ELEMENT_DISCRETE
+1,1,1,2
+*ELEMENT_MASS
+1,2,2.0
+*CONTROL_TIMESTEP
+0.0,0.9,,,,1
+*DEFINE_CURVE
+1
+0.0,0.001
+2.0,0.001
+*DEFINE_CURVE
+2
+0.0,10.0
+2.0,10.0
+*LOAD_BODY_Z
+2,1.0
+*DATABASE_HISTORY_NODE
+2
+*DATABASE_NODOUT
+0.25
+"""
+
 
 @pytest.fixture
 def here(tmp_path, monkeypatch):
@@ -79,3 +118,11 @@ def vm_process():
     for process in started:
         process.kill()
         process.communicate()
+
+
+@pytest.fixture
+def falling(here):
+    """Writes the deck of a mass in free fall, fall.k: its path."""
+    path = here / "fall.k"
+    path.write_text(FALL)
+    return path

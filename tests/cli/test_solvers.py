@@ -51,14 +51,16 @@ def solve(job):
 
 @pytest.fixture
 def other(installed, tmp_path, monkeypatch):
-    """Installs the solver `other`, which waits, fails or is missing; its work folders lie in a strange place."""
+    """Installs the solver `other`, which waits, fails, is missing or raises in one function; its work folders lie in a strange place."""
     temporary = tmp_path / "Ablage für Läufe Ω"
     temporary.mkdir()
     monkeypatch.setenv("TMPDIR", str(temporary))
     monkeypatch.setattr(tempfile, "tempdir", None)
 
-    def install(waits=False, fails=False, missing=""):
+    def install(waits=False, fails=False, missing="", raises=""):
         source = SOLVER.format(here=str(tmp_path), waits=waits, fails=fails, missing=missing)
+        if raises:
+            source += f"\ndef {raises}(*given):\n    raise KeyError('x')\n"
         installed("other", source)
 
     return install
@@ -172,3 +174,77 @@ def test_a_program_dies_with_the_command(ball, vm_process, other, tmp_path, name
         process.send_signal(signal.Signals[name])
     process.communicate()
     assert gone(pids)
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="reads /proc")
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
+def test_a_program_dies_with_vm_solve(falling, vm_process, other, tmp_path, name):
+    other(waits=True)
+    process = vm_process("solve", str(falling), "--solver", "other")
+    pids = started(tmp_path)
+    assert alive(pids) == pids
+    process.send_signal(signal.Signals[name])
+    process.communicate()
+    assert process.returncode == 2
+    assert gone(pids)
+
+
+def test_vm_solve_says_how_to_install_a_solver_that_is_missing(falling, vm, other):
+    other(missing="no program other; install it from its vendor")
+    code, _, err = vm("solve", str(falling), "--solver", "other")
+    assert code == 6
+    assert "Other code cannot run here: no program other; install it from its vendor" in err
+
+
+@pytest.mark.parametrize(
+    ("call", "arguments", "expected"),
+    [
+        ("found", ("run", "VM-061", "--no-report"), 6),
+        ("solve", ("run", "VM-061", "--no-report"), 6),
+        ("review", ("check", "VM-061"), 4),
+        ("review", ("check", "fall.k"), 6),
+        ("reports", ("solve", "fall.k"), 6),
+        ("solve", ("solve", "fall.k"), 6),
+        ("supported", ("keywords", "NODE"), 6),
+        ("found", ("faults", "VM-061"), 6),
+    ],
+)
+def test_an_exception_in_a_solver_is_its_own_error(ball, falling, vm, other, call, arguments, expected):
+    other(raises=call)
+    ball()
+    code, out, err = vm(*arguments, "--solver", "other")
+    assert code == expected
+    assert f"solver other: {call} failed: KeyError: 'x'" in out + err
+    assert "defect" not in out + err
+
+
+def test_the_doctor_outlives_a_solver_that_raises(vm, other):
+    other(raises="found")
+    code, out, _ = vm("doctor")
+    assert code == 0
+    lines = {line.split()[0]: line for line in out.splitlines() if line.split()}
+    assert "solver other: found failed: KeyError: 'x'" in lines["other"]
+    assert "explicit" in lines["builtin"]
+
+
+def test_support_is_that_of_the_chosen_solver(ball, vm, other):
+    other()
+    ball()
+    remark = "asks for output files; no effect on results"
+    assert remark in vm("keywords", "DATABASE_BNDOUT")[1]
+    code, out, _ = vm("keywords", "DATABASE_BNDOUT", "--solver", "other")
+    assert (code, out.splitlines()[0]) == (0, "*DATABASE_BNDOUT")
+    assert remark in vm("show", "VM-061")[1]
+    code, out, _ = vm("show", "VM-061", "--solver", "other")
+    assert code == 0
+    assert remark not in out
+
+
+def test_a_study_of_another_solver_says_that_no_fault_of_it_is_planted(ball, vm, other):
+    other()
+    ball()
+    code, out, err = vm("faults", "VM-061", "--solver", "other", "-j", "1")
+    assert code == 6
+    assert "VM-061: the run without a fault does not pass" in err
+    assert "no fault of the solver was planted" in out
+    assert "0 of 0" not in out

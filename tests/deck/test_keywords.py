@@ -114,7 +114,7 @@ def test_defaults_of_control_cards(deck: Read) -> None:
     [
         ("*CONTROL_TERMINATION\n\n", "3: *CONTROL_TERMINATION: ENDTIM = (blank): a value is required"),
         ("*CONTROL_CONTACT\n0.1\n", "3: *CONTROL_CONTACT: card 2 is missing (USRSTR, USRFRC, NSBCS, INTERM"),
-        ("*CONTROL_HOURGLASS\n\n1.0\n", "4: *CONTROL_HOURGLASS: a line too many"),
+        ("*CONTROL_HOURGLASS\n\n1.0\n", "4: *CONTROL_HOURGLASS: one line too many"),
         ("*PART\n\n1,1\n", "4: *PART: MID = (blank): a value is required"),
         ("*SET_NODE_LIST\n1\n", "2: *SET_NODE_LIST: no data"),
         ("*SET_NODE_LIST\n1\n0\n", "4: *SET_NODE_LIST: no ids"),

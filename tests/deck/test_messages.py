@@ -38,7 +38,7 @@ KNOWN = {k.name: k for k in (MAT, MAT2, SHELL, TABLE, CONTROL)} | {"MAT_001": MA
         ("*MAT_ELASTIC\n1,&q,1.\n", "3: *MAT_ELASTIC: RO = &q: undefined parameter"),
         ("*SHELL\n2,A,5\n", "3: *SHELL: more than the 2 items of this card"),
         ("*SHELL\n         2         A      5\n", "3: *SHELL: text beyond the last field, which ends in column 20"),
-        ("*SHELL\n         2\n\n         3\n", "5: *SHELL: a line too many; the keyword has one line here"),
+        ("*SHELL\n         2\n\n         3\n", "5: *SHELL: one line too many: this keyword has one line here"),
         ("*SHELL\n", "2: *SHELL: card 1 is missing (ELFORM, LABEL)"),
         ("*SHELL\n\t2\n", "3: *SHELL: a tab in a data line hides its columns; write blanks or commas"),
         ("*TABLE\n", "2: *TABLE: no data"),
@@ -114,7 +114,7 @@ def test_all_that_is_ill_formed_is_found_in_one_reading(deck: Read) -> None:
         "deck.k:11: *TABLE: X = x: not a number (2 such rows)",
         "deck.k:13: *TABLE: more than the 2 items of this card",
         "deck.k:15: *INCLUDE: FILENAME = none.k: no such file in the deck's folder",
-        "deck.k:18: *CONTROL: a line too many; the keyword has one line here",
+        "deck.k:18: *CONTROL: one line too many: this keyword has one line here",
         "deck.k:19: *CONTROL: may stand only once; there is one already at deck.k:16",
     ]
     assert str(pickle.loads(pickle.dumps(error.value))) == str(error.value)

@@ -86,7 +86,7 @@ def test_nothing_to_replace(deck: Read) -> None:
         ("*PARAMETER\nR 2x,1.0\n", "3: *PARAMETER: PRMR1 = R 2x: expected R, I or C"),
         ("*PARAMETER\nR x,1.0,R x,2.0\n", "3: *PARAMETER: PRMR2 = R x: parameter x is defined already"),
         ("*PARAMETER\nR X,1.0\n*PARAMETER\nR x,2.0\n", "5: *PARAMETER: PRMR1 = R x: parameter x is defined"),
-        ("*PARAMETER\nR x,1.0,,2.0\n", "3: *PARAMETER: VAL2 = 2.0: a value without a name"),
+        ("*PARAMETER\nR x,1.0,,2.0\n", "3: *PARAMETER: VAL2 = 2.0: the name of this parameter is missing"),
         ("*PARAMETER\nR x\n", "3: *PARAMETER: VAL1 = (blank): parameter x: a value is required"),
         ("*PARAMETER\nI x,2.5\n", "3: *PARAMETER: VAL1 = 2.5: parameter x: not an integer"),
         ("*PARAMETER_EXPRESSION\nR x       1/2\n", "3: *PARAMETER_EXPRESSION: EXPRESSION = 1/2: parameter x: 1/2 is"),

@@ -1,6 +1,8 @@
 """Programs of other packages in a work folder."""
 
 import sys
+import time
+from pathlib import Path
 
 import pytest
 
@@ -54,3 +56,14 @@ def test_what_is_printed_need_not_be_text(folder):
 
 def test_it_has_no_input(folder):
     assert run(python("print(input.__name__, repr(__import__('sys').stdin.read()))"), folder) == "input ''\n"
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="reads /proc")
+def test_outside_a_worker_nothing_of_it_outlives_the_call(folder):
+    pid = run(["sh", "-c", "sleep 600 & echo $!"], folder).strip()
+    stat = Path(f"/proc/{pid}/stat")
+    for _ in range(500):
+        if not stat.exists() or stat.read_text().rpartition(")")[2].split()[0] == "Z":
+            return
+        time.sleep(0.02)
+    raise AssertionError("the program that it has started still runs")

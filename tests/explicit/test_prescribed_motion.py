@@ -118,8 +118,11 @@ def test_work_on_an_elastic_body_balances(wall_and, vad):
 @pytest.mark.parametrize(
     ("keywords", "message"),
     [
-        ("1,3,0,1\n", r"MOTION_NODE: DOF = 3: node 1 is ruled by a support in this direction"),
-        ("5,3,0,1\n5,3,1,1\n", r"MOTION_NODE: DOF = 3: node 5 is ruled by another prescribed motion"),
+        ("1,3,0,1\n", r"MOTION_NODE: DOF = 3: node 1 is already prescribed by a support in this direction"),
+        (
+            "5,3,0,1\n5,3,1,1\n",
+            r"MOTION_NODE: DOF = 3: node 5 is already prescribed by another prescribed motion",
+        ),
         ("5,3,2,1\n", r"LCID = 1: a displacement that begins with a jump, 1; let it begin at 0"),
         ("5,4,0,1\n", r"DOF = 4: only 1, 2, 3, 5, 6 and 7 are supported"),
         ("5,3,3,1\n", r"VAD = 3: only 0, 1 and 2 are supported"),

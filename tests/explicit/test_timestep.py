@@ -82,7 +82,7 @@ def test_mass_scaling_leaves_what_is_slow_enough(wall_and):
 @pytest.mark.parametrize(
     ("card", "message"),
     [
-        (timestep(dt2ms=1e-3), r"DT2MS = 0.001: one step for all elements is not supported"),
+        (timestep(dt2ms=1e-3), r"DT2MS = 0.001: a positive DT2MS is not supported; give a negative value"),
         (
             "*BOUNDARY_PRESCRIBED_MOTION_NODE\n15,1,0,1,1.0,0,0.5\n" + timestep(dt2ms=-1e-3),
             r"MS1ST = 0: not supported with prescribed motion 1, which is not throughout",
@@ -90,7 +90,7 @@ def test_mass_scaling_leaves_what_is_slow_enough(wall_and):
         (timestep(lctm=7), r"LCTM = 7: no \*DEFINE_CURVE with LCID = 7"),
         (
             "*DEFINE_CURVE\n2\n0.0,1.0\n5.0,0.0\n" + timestep(lctm=2),
-            r"LCTM = 2: a largest step that is not positive",
+            r"LCTM = 2: the largest step must be positive",
         ),
     ],
 )

@@ -68,7 +68,7 @@ def test_a_spinning_plate_keeps_its_angular_momentum_to_round_off(wall_and):
         ("2,4,1.0\n0,0,0,1.0\n", r"STYP = 4: only 1, 2 and 3 are supported"),
         (
             "2,2,1.0\n0,0,0,1.0\n*INITIAL_VELOCITY_NODE\n11,1.0\n",
-            r"not supported beside \*INITIAL_VELOCITY_NODE",
+            r"not supported together with \*INITIAL_VELOCITY_NODE",
         ),
     ],
 )

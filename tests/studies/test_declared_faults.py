@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from vmharness.case import read
-from vmharness.studies.faults.declared import moves, review, with_fault
+from vmharness.studies.faults.declared import faulty_data, moves, review
 
 BALL = Path(__file__).parents[2] / "cases" / "VM-061"
 
@@ -30,7 +30,9 @@ def fault(case, number, **changes):
 
 def test_a_value_is_in_the_unit_of_its_datum(in_feet):
     half_a_foot = fault(in_feet, 3, change={"h": "=0.5"}, must_fail=["z_impact"])
-    assert with_fault(in_feet, half_a_foot).deck_parameters()["H"] == pytest.approx(6.0, rel=1e-14)
+    assert in_feet.with_deck_of(faulty_data(in_feet, half_a_foot)).deck_parameters()["H"] == pytest.approx(
+        6.0, rel=1e-14
+    )
     assert moves(in_feet, half_a_foot)["z_impact"].percent == pytest.approx(500.0)
 
 

@@ -14,7 +14,7 @@ from vmharness.case.deck import read_deck
 from vmharness.studies.faults import deck_faults, plant
 from vmharness.studies.faults.deck_faults import CaseFault
 from vmharness.studies.faults.record import FaultsRecord, Noticed, coverage
-from vmharness.studies.faults.runs import StudyError, all_faults, finding, record
+from vmharness.studies.faults.runs import StudyError, all_faults, finding, planted_in, record, solver_faults
 from vmharness.studies.gather import gather
 from vmharness.studies.measured import Measured, Value
 from vmharness.studies.variant import Variant
@@ -182,3 +182,13 @@ def test_supports_go_from_the_cards_or_from_the_nodes(ball):
     held = [int(np.count_nonzero(node.tc | node.rc)) for node in codes]
     assert held == [held[0], held[0] - 1, 0]
     assert none.name == "all supports are missing"
+
+
+def test_faults_of_the_built_in_solver_are_planted_in_its_own_runs_only(ball):
+    own, other = planted_in("builtin"), planted_in("other")
+    assert own == plant.faults()
+    assert {fault.kind for fault in own} == {"physics", "integration", "reading"}
+    assert {fault.kind for fault in other} == {"reading"}  # of history and events, which every solver shares
+    assert {fault.name for fault in solver_faults(ball, "other")} <= {fault.name for fault in other}
+    found = record(ball, SOUND, [], [], "other")
+    assert {one.fault for one in found.findings if one.kind != "deck"} == {fault.name for fault in other}

@@ -68,7 +68,7 @@ class Checks:
 
     def known(self, place: str, name: str, table: Iterable[str], what: str) -> None:
         if name not in table:
-            raise self.wrong(place, f"no {what} {name}{near(name, table)}")
+            raise self.wrong(place, f"there is no {what} {name}{near(name, table)}")
 
     def given(self) -> None:
         for name, given in self.file.given.items():
@@ -119,7 +119,8 @@ class Checks:
             dimension = self.formula(place, f"at {name}", event.at)
             if dimension != Unit(self.file.units.time).dimension:
                 raise self.wrong(
-                    place, f"at = {event.at}: is not a time, but in {self.units.name(dimension)}"
+                    place,
+                    f"at = {event.at}: a time is expected, but the unit is {self.units.name(dimension)}",
                 )
         else:
             self.known(place, getattr(event, kinds[0]), self.file.channels, "channel")
@@ -142,7 +143,7 @@ class Checks:
             self.known(place, result.event, self.file.events, "event")
             self.known(place, result.channel, ["time", *self.file.channels], "channel")
             if result.channel == "time" and self.file.events[result.event].at is not None:
-                raise self.wrong(place, f"the time of {result.event} is given, so it is no result to compare")
+                raise self.wrong(place, f"the time of {result.event} is given, so it cannot be a result")
             dimension = self.formula(f"{place}: target", f"target {result.key}", result.target)
             self.unit(place, result.unit, dimension)
             if result.tolerance.relative == result.tolerance.absolute == 0.0:

@@ -24,7 +24,7 @@ def is_deck(selector: str) -> bool:
 
 def check_deck(path: Path, solver: str) -> Found:
     """What there is to say of a deck, by group; a field is named once."""
-    from vmharness.backends import backend
+    from vmharness.backends import calls
     from vmharness.deck import read_all, vocabulary
     from vmharness.deck.finding import Finding, in_order
 
@@ -34,7 +34,7 @@ def check_deck(path: Path, solver: str) -> Found:
     unread = _unread(wrong)
     findings = [
         finding
-        for finding in backend(solver).review(deck, {})
+        for finding in calls.solver(solver).review(deck, {})
         if _place(finding.error) not in places and not finding.error.sought & unread
     ]
     return {

@@ -18,6 +18,7 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 
 SOLVER = "builtin"
 TIMEOUT = 600.0  # seconds
+TITLES = {"junit": "JUnit XML"}  # of export formats, where it is not the name in capitals
 FILE = File()
 FOLDER = click.Path(file_okay=False, path_type=Path)
 
@@ -39,13 +40,13 @@ def running(command: Command) -> Command:
         multiple=True,
         metavar="NAME=VALUE",
         callback=_data,
-        help="Change a datum in theory and deck; reports go to runs/.",
+        help="Change a datum in theory and deck; repeat the option for several data. Reports go to runs/.",
     )
     for option in (
         _timeout(),
         data,
         solver_option(),
-        _jobs_option("1", "Number of worker processes, or auto: one for each core."),
+        _jobs_option("1", "Number of worker processes; auto: one for each core.  [default: 1]"),
     ):
         command = option(command)
     return command
@@ -69,7 +70,7 @@ def studying(command: Callable[..., Any]) -> Callable[..., Any]:
         ),
         _timeout(),
         solver_option(),
-        _jobs_option("auto", "Number of worker processes.  [default: one for each core]"),
+        _jobs_option("auto", "Number of worker processes.  [default: auto, one for each core]"),
     )
     for option in options:
         together = option(together)
@@ -83,7 +84,7 @@ def _timeout() -> Callable[[Command], Command]:
         default=TIMEOUT,
         metavar="SECONDS",
         callback=_number,
-        help=f"Time limit for each case.  [default: {TIMEOUT:g}]",
+        help=f"Time limit of each run.  [default: {TIMEOUT:g}]",
     )
 
 
@@ -94,7 +95,7 @@ def solver_option() -> Callable[[Command], Command]:
         default=SOLVER,
         metavar="NAME",
         callback=_solver,
-        help=f"Solver that runs the decks.  [default: {SOLVER}]",
+        help=f"Solver to use; `vm doctor` lists them.  [default: {SOLVER}]",
     )
 
 
@@ -111,7 +112,7 @@ def formats(command: Command) -> Command:
             metavar="FILE",
             expose_value=False,
             callback=_remember,
-            help=f"Also write the results as {name.upper()}.",
+            help=f"Also write the results as {TITLES.get(name, name.upper())}.",
         )(command)
     return command
 

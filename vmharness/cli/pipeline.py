@@ -110,8 +110,8 @@ def _page(outcome: Outcome, wanted: Wanted) -> list[Unwritten]:
 
 def _say_notice(solver: str) -> None:
     """What the solver has to say before a first run; one that cannot be used is each case's outcome."""
-    from vmharness.backends import BackendError, backend
+    from vmharness.backends import BackendError, calls
 
     with contextlib.suppress(BackendError):
-        if notice := backend(solver).found().notice:
+        if notice := calls.solver(solver).found().notice:
             say(notice)

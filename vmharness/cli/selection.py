@@ -20,21 +20,21 @@ CASES = click.option(
     "--cases",
     type=click.Path(path_type=Path),
     metavar="DIR",
-    help="Folder of case folders.  [default: ./cases, else the installed ones]",
+    help="Folder that contains the case folders.  [default: ./cases, else the installed ones]",
 )
 WORDS = click.option(
     "-k",
     "words",
     metavar="EXPR",
     default="",
-    help="Only cases whose id, title or tags contain these words; join words by and, or, not.",
+    help="Only cases whose id, title or tags contain these words; join words with and, or, not.",
 )
 TAGS = click.option(
     "--tag",
     "tags",
     metavar="TAG",
     multiple=True,
-    help="Only cases with this tag; repeat the option for several tags.",
+    help="Only cases with this tag; repeat the option: all these tags.",
 )
 
 

@@ -41,10 +41,10 @@ class Folder(click.Group):
 @click.version_option(package_name="vmharness", prog_name="vm", message="vmharness %(version)s")
 @click.option("--debug", is_flag=True, help="Show the traceback of a defect of vmharness.")
 def vm(debug: bool) -> None:
-    """Run verification cases of explicit dynamics, and write their pages of the manual.
+    """Run verification cases of explicit dynamics, and write the pages of the manual.
 
     Exit codes: 0 all pass; 1 a result is out of tolerance; 2 interrupted; 3 defect of vmharness;
-    4 usage or case error; 5 nothing selected; 6 could not be judged.
+    4 wrong usage or an error in a case; 5 nothing selected; 6 could not be judged.
     """
 
 

@@ -55,7 +55,7 @@ def _read_groups(
     elif at < end:
         count = "one line" if at == 1 else f"{at} lines"
         first = next(i for i in range(at, end) if block.lines[i].strip())
-        raise block.error(f"a line too many; the keyword has {count} here", block.numbers[first])
+        raise block.error(f"one line too many: this keyword has {count} here", block.numbers[first])
 
 
 def _read_group(

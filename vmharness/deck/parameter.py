@@ -44,7 +44,7 @@ def _define(
 ) -> None:
     if not entry.values[name_field] and field != "expression":
         if entry.values[field]:
-            raise entry.error(field, "a value without a name")
+            raise entry.error(field, "the name of this parameter is missing")
         return
     kind, name = _name(entry, name_field, values)
     define = _expression if field == "expression" else _value

@@ -1,6 +1,5 @@
 """The built-in solver: explicit dynamics by central differences, from a deck to states.
 
-    references.py   what cards refer to, and whether the deck defines it
     build.py        a deck -> its model; the order of the passes, with reasons
     loop.py         the method: forces -> accelerations -> velocities -> positions
     state.py        positions, velocities, forces, masses: the arrays that the loop updates
@@ -8,7 +7,9 @@
     constraint.py   what the loop asks of a constraint: supports, motions, damping, walls, rigid bodies
     energy.py       energies, their ratio, and the check of their balance
     threads.py      forces of all elements, by several threads if NCPU asks for them
-    supported.py    what the solver supports of each keyword; without_effect.py: keywords that change no result
+    supported.py    what the solver supports of each keyword: SUPPORTS of the modules, joined
+    references.py   whether the deck defines what its cards refer to: defined.py, part_references.py
+    without_effect.py  keywords that change no result
     error.py        the error that ends a run
 
 Rooms by theory:

@@ -29,7 +29,7 @@ class Table:
 
 @dataclass(frozen=True)
 class Section:
-    """A section of the page: paragraphs, then tables, then figures, then remarks."""
+    """A section of the page: paragraphs, then tables, then figures, then remarks, then long lists."""
 
     title: str
     summary: str  # a few words for the index, such as "order 2.00"
@@ -37,4 +37,5 @@ class Section:
     tables: Sequence[Table] = ()
     figures: Sequence[Figure] = ()
     remarks: Sequence[str] = ()
+    folded: Sequence[tuple[str, str]] = ()  # a line, and the text that opens below it
     made: str = ""  # the solver and sources of its record, as a sentence

@@ -41,7 +41,10 @@ def summary(run: CaseRun) -> str:
 
 
 def used(row: Row | None) -> str:
-    """The share of its tolerance that a result uses; `round-off` where that is all there is, and one could see it."""
+    """The share of its tolerance that a result uses.
+
+    It is `round-off` if the error is not above round-off, and the tolerance is so small that round-off could be seen.
+    """
     if row is None:
         return DASH
     c = row.comparison

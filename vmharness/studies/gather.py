@@ -74,14 +74,17 @@ def serving(solver: str, fault: str, plant: Plant | None) -> Work:
         if plant is None:
             raise ValueError(f"nothing plants the fault {fault}")
         plant(fault)
-    from vmharness.backends import backend
+    from vmharness.backends import BackendError, calls
     from vmharness.run import run
 
-    chosen = backend(solver)
+    chosen = calls.solver(solver)
 
     def work(task: tuple[Variant, Path], progress: Report) -> Measured:
         variant, folder = task
-        return measured(run(variant.case, chosen, progress, folder), variant.strides)
+        try:
+            return measured(run(variant.case, chosen, progress, folder), variant.strides)
+        except BackendError as error:
+            return Measured(failure=str(error), lost=True)
 
     return work
 

@@ -5,7 +5,7 @@ import json
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from vmharness.backends import identity
+from vmharness.backends.calls import identity
 from vmharness.studies.sources import sources
 
 if TYPE_CHECKING:

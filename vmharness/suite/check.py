@@ -46,14 +46,14 @@ def check(folder: Path, errors: Mapping[str, float] | None = None, solver: str =
 
 def _deck(case: "Case", solver: str) -> list[str]:
     """Reasons why the solver cannot run the deck."""
-    from vmharness.backends import BackendError, backend
+    from vmharness.backends import BackendError, calls
     from vmharness.case.deck import read_deck
     from vmharness.deck import DeckError
     from vmharness.deck.finding import unsupported
 
     wrong: list[str] = []
     try:
-        wrong += map(str, unsupported(backend(solver).review(read_deck(case), case.file.channels)))
+        wrong += map(str, unsupported(calls.solver(solver).review(read_deck(case), case.file.channels)))
         read_deck(_with_parameters_set(case))
     except (DeckError, BackendError) as error:
         wrong.append(str(error))

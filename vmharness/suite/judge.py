@@ -25,17 +25,20 @@ VERDICTS = {"pass": Status.PASS, "fail": Status.FAIL, "error": Status.UNJUDGED}
 
 def solving(solver: str) -> Work:
     """In a worker: import the solver; what it makes of a case's deck, in a work folder, is the work."""
-    from vmharness.backends import BackendError, backend
+    from vmharness.backends import BackendError, calls
     from vmharness.solve import solve
 
     try:
-        chosen = backend(solver)
+        chosen = calls.solver(solver)
     except BackendError as error:
         missing = _nothing(solver, str(error))
         return lambda task, progress: missing
 
     def work(task: "tuple[Case, Path | None]", progress: Report) -> "Solution":
-        return solve(task[0], chosen, progress, task[1])
+        try:
+            return solve(task[0], chosen, progress, task[1])
+        except BackendError as error:
+            return _nothing(solver, str(error))
 
     return work
 

@@ -257,7 +257,7 @@ def test_an_oblique_wall_takes_the_normal_momentum_alone(wall_and):
         (wall(kind="_FINITE", cards="0,0,2.0,1.0,1.0\n"), "XHEV = 0.0: the edge has no direction across"),
         ("*RIGIDWALL_PLANAR\n0\n1.0,,,1.0\n", "XH = 1.0: the tail and the head of the normal are one point"),
         ("*SET_NODE_LIST\n2\n1,2\n" + wall(nsid=2), "NSID = 2: no node that could meet the wall is free"),
-        ("*BOUNDARY_SPC_NODE\n5,0,1\n*RIGIDWALL_PLANAR\n0\n0,0,0,1.0,0,1.0\n", "XH = 1.0: node 5 is ruled along"),
+        ("*BOUNDARY_SPC_NODE\n5,0,1\n*RIGIDWALL_PLANAR\n0\n0,0,0,1.0,0,1.0\n", "XH = 1.0: node 5 has a support or prescribed motion oblique"),
         (BODY.format(rwpnal=1.0) + wall(), "RWPNAL = 1.0: the penalty of rigid bodies at rigid walls is not supported"),
         (BODY.format(rwpnal=-1.0) + wall(), "RWPNAL = -1.0: must be at least 0"),
         (wall() + wall(kind="_ID").replace("_ID\n", "_ID\n1,again\n"), "ID = 1: another rigid wall has this number"),

@@ -31,8 +31,8 @@ def command(
 ) -> int:
     """Check cases, or deck files; run nothing.
 
-    For a deck file, the command lists all errors of format, all keywords and fields that the solver does not support,
-    and all that have no effect.
+    For a deck file, the command lists all format errors, all keywords and fields that the solver does not support, and
+    all that have no effect.
 
     For a case, it checks schema, units, formulas, deck, channels and faults. It compares the tolerances with the
     errors of the last run in reports/, and names the studies there that are out of date.

@@ -21,7 +21,7 @@ RUN = click.Path(exists=True, dir_okay=False, path_type=Path)
 @click.option("--all", "every", is_flag=True, help="Also show results that are equal to the last digit.")
 @click.option("--json", type=FILE, metavar="FILE", help="Also write the comparison as JSON.")
 def command(first: Path, second: Path, every: bool, json: Path | None) -> int:
-    """Compare two runs, given by files of `vm run --json`.
+    """Compare two runs, saved by `vm run --json`.
 
     They may differ in solver, version or machine. The command fails if a result of A is missing in B, or has a
     worse verdict there.

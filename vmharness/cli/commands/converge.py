@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 @CASES
 @studying
 def command(selector: str, cases: Path | None, how: How, out: Path, json: Path | None) -> int:
-    """Refine time step or mesh: order and its uncertainty.
+    """Refine time step or mesh; find the order of accuracy.
 
     The table [converge] of the case says what is refined. The command prints the order of accuracy, the
-    extrapolated value and its uncertainty (grid convergence index, GCI).
+    extrapolated value of each result and its uncertainty (grid convergence index, GCI).
 
     ID is an id, or the path of a case folder.
     """

@@ -11,13 +11,13 @@ def command() -> int:
 
     Other installed packages can offer solvers, in the entry point group vmharness.solvers.
     """
-    from vmharness.backends import BackendError, backend, names
+    from vmharness.backends import BackendError, calls, names
     from vmharness.backends.protocol import full_name
 
     table = plain_table("Solver", "Version", "Found")
     for name in names():
         try:
-            solver = backend(name)
+            solver = calls.solver(name)
             found = solver.found()
         except BackendError as error:
             table.add_row(name, "", str(error))

@@ -25,7 +25,8 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
     """Split the error of each result into its causes.
 
     The causes are time step, sampling, rounding of the deck, contact penalty and mesh; the rest is unexplained.
-    For published columns, the command finds the reading of states that gives their digits.
+    For each published column, the command finds the way of reading output states that reproduces the
+    published digits.
 
     ID is an id, or the path of a case folder.
     """

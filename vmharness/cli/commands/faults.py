@@ -28,9 +28,10 @@ def command(
     out: Path,
     json: Path | None,
 ) -> int:
-    """Plant faults, one at a time, and see which results fail.
+    """Plant faults one by one; see which of them make a result fail.
 
-    The faults are in the deck, in the solver and in the reading of the results.
+    The faults are in the deck, in the built-in solver and in the reading of the results. With another solver, only
+    faults of deck and reading are planted.
 
     SELECT is an id, a pattern such as 'VM-0*', or the path of a case folder; without any, all cases are studied.
     """
@@ -64,13 +65,14 @@ def _detections(cases: "list[Case]", how: How) -> "tuple[list[FaultsRecord], int
     plans = []
     for case, outcome in zip(cases, sound, strict=True):
         try:
-            plans.append((case, outcome, all_faults(case, outcome)))
+            plans.append((case, outcome, all_faults(case, outcome, how.solver)))
         except StudyError as error:
             complain(str(error))
     variants = [fault.variant for *_, faults in plans for fault in faults]
     outcomes = iter(gathered(variants, how, "planted faults", plant))
     found = [
-        record(case, outcome, faults, [next(outcomes) for _ in faults]) for case, outcome, faults in plans
+        record(case, outcome, faults, [next(outcomes) for _ in faults], how.solver)
+        for case, outcome, faults in plans
     ]
     return found, len(cases) - len(plans)
 
@@ -86,9 +88,13 @@ def _show(detections: "list[FaultsRecord]") -> None:
         table.add_row(found.case, f"{found.caught} of {found.applicable}", missed)
     say_table(table)
     together = coverage(detections)
-    say(
-        f"faults of the solver: {together.caught} of {len(together.matrix)} are caught by at least one of these cases"
-    )
+    kinds = {finding.kind for cases in together.matrix.values() for finding in cases.values()}
+    if kinds <= {"reading"}:
+        say("no fault of the solver was planted")
+    if kinds:
+        where = "reading" if kinds == {"reading"} else "solver"
+        caught = f"{together.caught} of {len(together.matrix)}"
+        say(f"faults of the {where}: {caught} are caught by at least one of these cases")
     for sentence in to_do(together):
         say(f"  {sentence}")
 

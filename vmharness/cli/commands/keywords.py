@@ -1,25 +1,29 @@
-"""`vm keywords`: the keywords of the deck reader, and their support by the built-in solver."""
+"""`vm keywords`: the keywords of the deck reader, and their support by a solver."""
 
 import difflib
 from typing import TYPE_CHECKING
 
 import click
 
+from vmharness.cli.options import solver_option
 from vmharness.cli.say import complain, say
 from vmharness.suite.outcome import NOTHING_SELECTED
 
 if TYPE_CHECKING:
     from vmharness.deck import Keyword
+    from vmharness.deck.support import Supported
 
 
 @click.command("keywords")
 @click.argument("words", nargs=-1, metavar="[WORD]...")
-def command(words: tuple[str, ...]) -> int:
-    """List the known keywords, or the cards of some.
+@solver_option()
+def command(words: tuple[str, ...], solver: str) -> int:
+    """List the known keywords, or show the cards of some.
 
-    With WORDs, only keywords whose names contain one of them are listed, with their cards. A card shows each field
-    in capitals, with its default and, where the built-in solver does not support all values, those that it does.
+    With WORDs, the command lists only keywords whose names contain one of them, with their cards. A card shows each
+    field in capitals with its default. If the solver supports only some values of a field, the card shows them.
     """
+    from vmharness.backends import calls
     from vmharness.deck import vocabulary
 
     known = {keyword.name: keyword for keyword in vocabulary().values()}
@@ -29,9 +33,10 @@ def command(words: tuple[str, ...]) -> int:
         near = difflib.get_close_matches(wanted[0], known, n=3, cutoff=0.4)
         complain(f"no keyword like {words[0]}" + (f"; there is *{', *'.join(near)}" if near else ""))
         return NOTHING_SELECTED
+    supported = calls.supported(solver) if words else None
     for keyword in found:
         if words:
-            _say_cards(keyword)
+            _say_cards(keyword, supported)
         else:
             say(_name(keyword))
     return 0
@@ -41,13 +46,10 @@ def _name(keyword: "Keyword") -> str:
     return f"*{keyword.name}" + "".join(f" [_{option}]" for option in keyword.options)
 
 
-def _say_cards(keyword: "Keyword") -> None:
-    """Print the cards, with their support by the built-in solver."""
-    from vmharness.backends import supported
-    from vmharness.cli.options import SOLVER
-
-    support = supported(SOLVER).get(keyword.name)
-    remark = support.effect if support else "not supported"
+def _say_cards(keyword: "Keyword", supported: "Supported | None") -> None:
+    """Print the cards, with their support by the solver; it may not declare what it supports."""
+    support = supported.get(keyword.name) if supported is not None else None
+    remark = support.effect if support else "not supported" if supported is not None else ""
     say(_name(keyword) + (f"   ({remark})" if remark else ""))
     limits = {name: rule.brief for name, rule in support.rules.items()} if support else {}
     for card in keyword.summary(limits):

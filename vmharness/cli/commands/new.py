@@ -16,7 +16,7 @@ from vmharness.suite.outcome import EXIT_CODES, Status
     type=click.Path(path_type=Path),
     default=Path("cases"),
     metavar="DIR",
-    help="Folder of case folders.  [default: ./cases]",
+    help="Folder that contains the case folders.  [default: ./cases]",
 )
 def command(id: str, cases: Path) -> int:
     """Make a new case folder to fill in.

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vmharness.cli.options import solver_option
 from vmharness.cli.say import complain, plain_table, say, say_table
 from vmharness.cli.selection import CASES, read_cases, selected
 from vmharness.suite.outcome import EXIT_CODES, NOTHING_SELECTED, Status
@@ -16,10 +17,11 @@ if TYPE_CHECKING:
 @click.command("show")
 @click.argument("selector", metavar="ID")
 @CASES
-def command(selector: str, cases: Path | None) -> int:
+@solver_option()
+def command(selector: str, cases: Path | None, solver: str) -> int:
     """Show a case: data, theory, deck, tolerances, faults.
 
-    The theory is shown with its numbers.
+    Each formula of the theory is shown with its value.
 
     ID is an id, or the path of a case folder.
     """
@@ -31,8 +33,9 @@ def command(selector: str, cases: Path | None) -> int:
     for outcome in broken:
         complain(outcome.reason)
     for case in sound:
-        for part in (_head, _given, _theory, _results, _faults, _deck):
+        for part in (_head, _given, _theory, _results, _faults):
             part(case)
+        _deck(case, solver)
     return EXIT_CODES[Status.BROKEN] if broken else 0
 
 
@@ -89,15 +92,14 @@ def _faults(case: "Case") -> None:
     say_table(table)
 
 
-def _deck(case: "Case") -> None:
+def _deck(case: "Case", solver: str) -> None:
     from collections import Counter
 
     import numpy as np
 
-    from vmharness.backends import supported
+    from vmharness.backends import calls
     from vmharness.case import CaseError
     from vmharness.case.deck import read_deck
-    from vmharness.cli.options import SOLVER
     from vmharness.deck import DeckError
     from vmharness.deck.support import effects
 
@@ -115,5 +117,5 @@ def _deck(case: "Case") -> None:
     say("parameters: " + ", ".join(f"{name} = {value}" for name, value in deck.parameters.items()))
     say("model: " + ", ".join(f"{count} *{name}" for name, count in rows.items()))
     say("keywords: " + ", ".join(f"*{name}" + (f" ({n})" if n > 1 else "") for name, n in keywords.items()))
-    for note in (*deck.notes, *effects(deck, supported(SOLVER))):
+    for note in (*deck.notes, *effects(deck, calls.supported(solver) or {})):
         say(f"note: {note}")

@@ -29,17 +29,20 @@ STATES = 1000  # in the file, where the deck does not ask for an interval
 def command(path: Path, solver: str, csv: Path | None) -> int:
     """Solve DECK and print its energies.
 
-    The file has all energies, and the motion of the nodes of *DATABASE_HISTORY_NODE, at the interval of
-    *DATABASE_NODOUT or _GLSTAT, else at 1000 instants.
+    The CSV file contains all energies, and the motion of the nodes of *DATABASE_HISTORY_NODE. Its interval is the
+    smaller one of *DATABASE_NODOUT and *DATABASE_GLSTAT; without them, it contains 1000 instants.
     """
     from tempfile import TemporaryDirectory
 
-    from vmharness.backends import backend
+    from vmharness.backends import calls
     from vmharness.backends.protocol import Job
     from vmharness.deck import DeckError, read, vocabulary
     from vmharness.execution.program import ProgramError
 
-    chosen = backend(solver)
+    chosen = calls.solver(solver)
+    if missing := chosen.found().missing:
+        complain(f"{chosen.NAME} cannot run here: {missing}")
+        return EXIT_CODES[Status.UNJUDGED]
     try:
         deck = read(path, vocabulary())
         channels = chosen.reports(deck) | _nodes(deck)

@@ -42,7 +42,8 @@ def command(
 ) -> int:
     """Run a case at many points of a region of its data.
 
-    The table [sweep] of the case declares the region. A point that fails is made as simple as possible.
+    The table [sweep] of the case declares the region. For a failing point, the command
+    searches simpler data that also fail.
 
     ID is an id, or the path of a case folder.
     """

@@ -49,7 +49,7 @@ VELOCITY, ACCELERATION, DISPLACEMENT = 0, 1, 2  # VAD
 
 
 def build(deck: Deck, model: Model) -> None:
-    """Add a constraint for each card, in the deck's order; a degree of freedom may be ruled only once."""
+    """Add a constraint for each card, in the deck's order; a degree of freedom may be prescribed only once."""
     entries = [entry for entry in deck.entries if entry.keyword in KEYWORDS]
     if not entries:
         return
@@ -58,7 +58,9 @@ def build(deck: Deck, model: Model) -> None:
         rows, dof = _nodes(deck, model, entry), place(entry)
         for flags, other in ((held, "a support"), (moved, "another prescribed motion")):
             for row in rows[flags[rows, dof]]:
-                raise entry.error("dof", f"node {model.ids[row]} is ruled by {other} in this direction")
+                raise entry.error(
+                    "dof", f"node {model.ids[row]} is already prescribed by {other} in this direction"
+                )
         moved[rows, dof] = True
         model.constraints.append(build_motion(deck, model, entry, rows, number))
 

@@ -3,9 +3,9 @@
     t = SAST, or SFSAT times the shell's own thickness              (SBST and SFSBT on the other side)
     t <= 0.4 times the shortest side, in a single-surface contact   (SSTHK = 0)
 
-Contacts that are not automatic have no thickness (SHLTHK = 0), but that of shells which are not rigid (1), or of all
-(2). Solids have none in any contact. Depth of release, with D the thickness of a shell, or V / A behind the face of a
-solid:
+Contacts that are not automatic use the thickness that SHLTHK says: 0: no thickness; 1: that of deformable shells; 2:
+that of all shells. Solids have no thickness in any contact. A segment releases a node at this depth; D is the thickness
+of a shell, or V / A behind the face of a solid:
 
     automatic       PENMAX D, PENMAX = 0.4 for shells and 0.5 for solids by default
     PENCHK = 0      PENMAX, and none where it is 0

@@ -64,7 +64,8 @@ def _generate_velocities(deck: Deck, model: Model) -> None:
     for entry in deck.all(INITIAL_VELOCITY_GENERATION):
         for other in deck.all(INITIAL_VELOCITY, INITIAL_VELOCITY_NODE):
             raise entry.error(
-                "id", f"not supported beside {other.keyword}: which of them wins is not certain"
+                "id",
+                f"not supported together with {other.keyword}: LS-DYNA does not define which one applies",
             )
         nodes, spin = _nodes(deck, model, entry), _spin(entry)
         arm = model.x0[nodes] - np.array([entry.xc, entry.yc, entry.zc])

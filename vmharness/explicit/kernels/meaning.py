@@ -16,7 +16,7 @@ NATIVE = ("numpy", "numba", "math", "builtins")  # packages whose functions the 
 
 
 class MeaningError(TypeError):
-    """A kernel refers to something of which it is not known what it means to the compiler."""
+    """A kernel refers to an object whose effect on the compiled code is unknown."""
 
 
 def digest(kernel: Any) -> str:

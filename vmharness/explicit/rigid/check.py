@@ -14,7 +14,7 @@ from vmharness.explicit.timestep.mass_scaling import MassScaling
 
 
 def check_constraints(model: Model, bodies: list[RigidBody]) -> None:
-    """No support or prescribed motion may rule single nodes of a body."""
+    """No support or prescribed motion may act on single nodes of a body."""
     for constraint in model.constraints:
         ruled = np.asarray(constraint.fixed.any(axis=1))
         ruled[getattr(constraint, "nodes", [])] = True  # also for a time only, or on one side

@@ -29,7 +29,7 @@ def add_caps(deck: Deck, model: Model) -> None:
     if control.lctm:
         curve = time_curve(deck, control, "lctm", model.end_time)
         if not (curve.ordinate > 0.0).all():
-            raise control.error("lctm", "a largest step that is not positive")
+            raise control.error("lctm", "the largest step must be positive")
         model.caps.append(curve)
 
 

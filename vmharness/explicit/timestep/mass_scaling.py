@@ -79,7 +79,7 @@ def build(deck: Deck, model: Model) -> None:
     if control is None or control.dt2ms == 0.0:
         return
     if control.dt2ms > 0.0:
-        raise control.error("dt2ms", "one step for all elements is not supported; a negative value is")
+        raise control.error("dt2ms", "a positive DT2MS is not supported; give a negative value")
     scaling = MassScaling(model, _blocks(model, control), -control.dt2ms)
     for block in scaling.blocks:
         scaling.add_mass(block)

@@ -110,7 +110,8 @@ def _nodes(deck: Deck, model: Model, entry: Entry, face: Array, ruled: Flags, ri
     held = ruled[nodes][:, normal]
     for row in nodes[held.any(axis=1) & ~held.all(axis=1)]:
         raise entry.error(
-            "xh", f"node {model.ids[row]} is ruled along an axis oblique to the wall; not supported"
+            "xh",
+            f"node {model.ids[row]} has a support or prescribed motion oblique to the wall; not supported",
         )
     free = nodes[~held.any(axis=1)]
     if not free.size:

@@ -36,7 +36,9 @@ def section(content: bytes, case: Case) -> Section:
     if found.missed:
         text.append(f"Not caught in this case: {', '.join(finding.fault for finding in found.missed)}.")
     tables = [table for table in (_parameters(found), _others(found)) if table.rows]
-    return Section("Planted faults", score(found), text, tables, remarks=_unseen(found))
+    return Section(
+        "Planted faults", score(found), text, tables, remarks=_remarks(found), folded=_unseen(found)
+    )
 
 
 def score(found: FaultsRecord) -> str:
@@ -68,14 +70,14 @@ def times(share: float | None) -> str:
 def manual(cases: Sequence[Case], root: Path) -> Section | None:
     """Which faults of the solver the cases catch together, and which none of them catches.
 
-    None if no page below `root` has a record of `vm faults`.
+    None if no page below `root` has a record of `vm faults` with such a fault.
     """
     paths = [root / case.id / FOLDER / FILE for case in sorted(cases, key=lambda case: case.id)]
     detections = []
     for path in paths:
         with contextlib.suppress(OSError, msgspec.MsgspecError):
             detections.append(msgspec.json.decode(path.read_bytes(), type=FaultsRecord))
-    return together(detections) if detections else None
+    return together(detections) if coverage(detections).matrix else None
 
 
 def together(detections: Sequence[FaultsRecord]) -> Section:
@@ -158,14 +160,29 @@ def _others(found: FaultsRecord) -> Table:
     return Table(["Fault", "Place", "Caught?", "Result, or reason"], rows, numbers=2, words=1)
 
 
-def _unseen(found: FaultsRecord) -> list[str]:
-    """Faults that do not change the run, and parameters of the model whose faults make no result fail."""
+def _unseen(found: FaultsRecord) -> list[tuple[str, str]]:
+    """The number of faults that do not change the run, and their names."""
     unseen = [finding.fault for finding in found.findings if finding.noticed is Noticed.UNSEEN]
+    if not unseen:
+        return []
+    return [(f"{_count(len(unseen))} change this run.", f"{', '.join(unseen)}.")]
+
+
+def _count(number: int) -> str:
+    """A number of faults as the subject of a negation.
+
+    >>> _count(1), _count(35)
+    ('1 planted fault does not', '35 planted faults do not')
+    """
+    return "1 planted fault does not" if number == 1 else f"{number} planted faults do not"
+
+
+def _remarks(found: FaultsRecord) -> list[str]:
+    """Faults that could not be judged, and parameters of the model whose faults make no result fail."""
     idle = [
         finding.fault.partition(" ")[0] for finding in found.findings if finding.noticed is Noticed.HARMLESS
     ]
-    said = [f"These faults do not change this run: {', '.join(unseen)}."] if unseen else []
-    said += [f"Could not be judged: {finding.fault} ({finding.reason})." for finding in found.unjudged]
+    said = [f"Could not be judged: {finding.fault} ({finding.reason})." for finding in found.unjudged]
     harmless = ", ".join(dict.fromkeys(idle))
     return said + (
         [

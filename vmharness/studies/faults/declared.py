@@ -32,11 +32,6 @@ def in_deck(case: Case, datum: str) -> bool:
     return any(datum in case.origins(name) for name in follow)
 
 
-def with_fault(case: Case, fault: Fault) -> Case:
-    """The case with `fault` in its deck; the theory and the targets do not change."""
-    return case.with_deck_of(_data(case, fault))
-
-
 def moves(case: Case, fault: Fault) -> Mapping[str, Move | None]:
     """The change of each result that must fail, by key: theory with the faulty data less theory with the sound data.
 
@@ -44,7 +39,7 @@ def moves(case: Case, fault: Fault) -> Mapping[str, Move | None]:
     theory of the channel over time is read there; the change is None if the case has no such theory. Raises CaseError
     if no parameter of the deck follows from the data, or if theory has no value for them.
     """
-    faulty = case.with_given(_data(case, fault))
+    faulty = case.with_given(faulty_data(case, fault))
     return {key: _move(case, faulty, key) for key in fault.must_fail}
 
 
@@ -66,8 +61,8 @@ def review(case: Case) -> list[str]:
     return wrong
 
 
-def _data(case: Case, fault: Fault) -> dict[str, float]:
-    """The changed data in consistent units."""
+def faulty_data(case: Case, fault: Fault) -> dict[str, float]:
+    """The changed data in consistent units; `Case.with_deck_of` writes them into the deck alone."""
     return {
         name: changed_value(case.given[name], change, case.units.factor(case.file.given[name].unit))
         for name, change in fault.change.items()

@@ -16,10 +16,12 @@ from vmharness.studies.faults.deck_faults import (
     support_faults,
 )
 from vmharness.studies.faults.record import FaultsRecord, Finding, Noticed
+from vmharness.studies.faults.solver_fault import SolverFault
 from vmharness.studies.maker import maker
 from vmharness.studies.measured import Measured
 from vmharness.studies.variant import Variant
 
+BUILTIN = ("vmharness.explicit.", "vmharness.backends.builtin.")  # modules that no other solver runs
 LONGEST = 3  # a run with a wrong unit ends after this multiple of the cycles of the sound run
 
 
@@ -27,31 +29,44 @@ class StudyError(Exception):
     """The study of a case cannot be made."""
 
 
-def all_faults(case: Case, sound: Measured) -> list[CaseFault]:
-    """Every fault to plant in a case; raises StudyError unless its `sound` run passes."""
+def all_faults(case: Case, sound: Measured, solver: str = "builtin") -> list[CaseFault]:
+    """Every fault to plant in a case that this solver runs; raises StudyError unless its `sound` run passes."""
     if not sound.passed:
         key = sound.worst[0] if sound.worst else "nothing"
         raise StudyError(f"{case.id}: the run without a fault does not pass: {sound.failure or key}")
-    return [*parameter_faults(case, LONGEST * sound.cycles), *support_faults(case), *solver_faults(case)]
+    return [
+        *parameter_faults(case, LONGEST * sound.cycles),
+        *support_faults(case),
+        *solver_faults(case, solver),
+    ]
 
 
-def solver_faults(case: Case) -> list[CaseFault]:
-    """The faults of the solver that can change a run of this deck, as its keywords show."""
+def planted_in(solver: str) -> list[SolverFault]:
+    """The faults that can be planted in a run by this solver: those of the built-in solver need the built-in solver."""
+    return [fault for fault in plant.faults() if solver == "builtin" or not fault.module.startswith(BUILTIN)]
+
+
+def solver_faults(case: Case, solver: str = "builtin") -> list[CaseFault]:
+    """The faults of the solver, and of the reading of its results, that can change a run of this deck."""
     names = {entry.keyword.name for entry in read_deck(case).entries}
     return [
         CaseFault(fault.name, fault.text, fault.kind, Variant(case, fault.name, fault.digest))
-        for fault in plant.faults()
+        for fault in planted_in(solver)
         if not fault.keywords or any(name.startswith(fault.keywords) for name in names)
     ]
 
 
 def record(
-    case: Case, sound: Measured, faults: Sequence[CaseFault], outcomes: Sequence[Measured]
+    case: Case,
+    sound: Measured,
+    faults: Sequence[CaseFault],
+    outcomes: Sequence[Measured],
+    solver: str = "builtin",
 ) -> FaultsRecord:
     """The record of all faults of a case; faults that its deck cannot show are not run, and count as unseen."""
     found = [finding(fault, sound, outcome) for fault, outcome in zip(faults, outcomes, strict=True)]
     run = {fault.name for fault in faults}
-    unseen = [fault for fault in plant.faults() if fault.name not in run]
+    unseen = [fault for fault in planted_in(solver) if fault.name not in run]
     found += [Finding(fault.name, fault.text, fault.kind, Noticed.UNSEEN) for fault in unseen]
     idle = {name for name in case.file.deck.parameters if _is_idle(case, name, found)}
     found = [

@@ -76,7 +76,7 @@ SUPPORTS = (
 def add_part(deck: Deck, model: Model, part: Part, name: str, shells: Callable[..., Shells]) -> None:
     """Add the force of a part, which `shells` makes, and its lumped mass; `name` is that of such elements.
 
-    Nothing is added for a rigid part: see rigid/elements.py.
+    Nothing is added for a rigid part: see rigid/element_mass.py.
     """
     if part.rigid:
         return

@@ -3,7 +3,7 @@
     _parts.py       the solids of the deck, part by part, with volume and bulk viscosity
     _build.py       a part of the deck -> its force and its mass
     _solids.py      the solids of a part as a force; _channel.py: the components of stress that a probe shows
-    _pattern.py     the motion of the nodes as load_patterns patterns
+    _pattern.py     the motion of eight nodes as eight patterns
     _gradient.py    volume, gradients, faces
     _motion.py      first stages of a step: patterns, mean velocity gradient, rotating frame, mean strain
     _stress.py      the law of the material at one point of every element

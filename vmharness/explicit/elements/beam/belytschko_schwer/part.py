@@ -123,7 +123,7 @@ def build(deck: Deck, model: Model) -> None:
         if part.rigid:
             continue
         if part.material.keyword is not MAT_ELASTIC:
-            raise part.part.error("mid", f"beams of resultants are elastic: *{MAT_ELASTIC.name} is supported")
+            raise part.part.error("mid", f"resultant beams support *{MAT_ELASTIC.name} only")
         e, nu = part.moduli
         length, density, card = lengths(part, model.x0), part.density, part.section
         section = CrossSection(card.a, card.iss, card.itt, card.j, card.sa)

@@ -40,7 +40,7 @@ def test_faults_are_on_the_page_and_in_the_index(good, planted, tmp_path):
     assert "Not caught in this case: lag." in page
     assert "| K | ✓ 210 × | ✓ no result |" in page
     assert "| Times are late (lag) | output or reading | ✗ 0.47 × | t_peak |" in page
-    assert "These faults do not change this run: friction." in page
+    assert "<summary>1 planted fault does not change this run.</summary>\n\nfriction.\n" in page
     assert "Wrong values make no result fail: RHO." in page
     report.write_index([good], tmp_path)
     for name in ("README.md", "index.html"):

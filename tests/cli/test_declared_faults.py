@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from vmharness.case import read
-from vmharness.studies.faults.declared import with_fault
+from vmharness.studies.faults.declared import faulty_data
 
 CASE = read(Path(__file__).parents[2] / "cases" / "VM-061")
 WIDTH = 10  # of a field of *PARAMETER
@@ -30,7 +30,7 @@ def test_the_deck_that_the_faults_are_written_into_passes(ball, vm_process):
 def test_a_planted_fault_is_1(ball, vm_process, fault):
     path = ball() / "deck.k"
     deck = path.read_text()
-    for name, value in with_fault(CASE, fault).deck_parameters().items():
+    for name, value in CASE.with_deck_of(faulty_data(CASE, fault)).deck_parameters().items():
         deck, found = re.subn(
             rf"(?<![A-Z])R{name:<{WIDTH - 1}}.{{1,{WIDTH}}}", f"R{name:<{WIDTH - 1}}{in_field(value)}", deck
         )

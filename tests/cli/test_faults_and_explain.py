@@ -22,9 +22,7 @@ def coarse(ball):
 def few(monkeypatch):
     """Only a few of the faults are planted."""
     real = faults.all_faults
-    monkeypatch.setattr(
-        faults, "all_faults", lambda case, sound: [one for one in real(case, sound) if one.name in FEW]
-    )
+    monkeypatch.setattr(faults, "all_faults", lambda *of: [one for one in real(*of) if one.name in FEW])
 
 
 def test_faults_are_scored_and_kept_for_the_page(ball, vm, here, few, monkeypatch):
