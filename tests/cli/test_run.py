@@ -21,6 +21,7 @@ def results(path):
 
 
 def test_the_manual_from_any_folder(here, vm_process):
+    (here / "cases").rmdir()
     process = vm_process("run", "VM-061", "--json", "results.json", "--junit", "results.xml")
     out, err = process.communicate()
     assert process.returncode == 0, out + err
@@ -53,7 +54,7 @@ def test_a_wrong_deck_is_1_and_is_run_again_by_lf(ball, vm):
     code, out, _ = vm("run", "-j", "2")
     assert code == 1
     assert "1 fail, 1 pass" in out
-    assert "VM-061: fail: t_impact: 0.07194" in out
+    assert "VM-061: fail\n  t_impact: 0.07194" in out
     assert "  run it again: vm run VM-061\n" in out
     assert Path("reports/index.html").is_file()
     assert Path("reports/sound/index.html").is_file()
