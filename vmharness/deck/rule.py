@@ -43,14 +43,14 @@ def _shown(value: Any) -> str:
     return short if "e" in short else str(value)
 
 
-def implemented(names: Mapping[int, str]) -> Rule:
+def implemented(names: Mapping[int, str], idle: Why | None = None) -> Rule:
     """These values alone, such as those of ELFORM, with their names.
 
     >>> implemented({1: "one point", 2: "fully integrated"}).what
     'not implemented; supported: 1 (one point), 2 (fully integrated)'
     """
     named = ", ".join(f"{value} ({name})" for value, name in names.items())
-    return among(*names, what=f"not implemented; supported: {named}")
+    return among(*names, idle=idle, what=f"not implemented; supported: {named}")
 
 
 def only(value: Any, idle: Why | None = None, what: str = "") -> Rule:
@@ -89,3 +89,16 @@ def no_effect(sentence: str) -> Rule:
 def unless(condition: Callable[[Deck], Any], sentence: str) -> Why:
     """No effect, as the sentence says, unless the deck has what `condition` looks for."""
     return lambda deck, entry: "" if condition(deck) else sentence
+
+
+def without_parts(deck: Deck, section: Entry) -> str:
+    """Why a field of a section has no effect: no part has this section."""
+    used = any(part.secid == section.secid for part in deck.all("PART"))
+    return "" if used else "no part has this section"
+
+
+def without_deformable_parts(deck: Deck, section: Entry) -> str:
+    """Why a field of a section has no effect: no part but rigid ones has this section."""
+    rigid = {material.mid for material in deck.all("MAT_RIGID")}
+    used = any(part.secid == section.secid and part.mid not in rigid for part in deck.all("PART"))
+    return "" if used else "no deformable part has this section"

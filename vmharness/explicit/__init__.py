@@ -8,7 +8,7 @@
     energy.py       energies, their ratio, and the check of their balance
     threads.py      forces of all elements, by several threads if NCPU asks for them
     supported.py    what the solver supports of each keyword: SUPPORTS of the modules, joined
-    references.py   whether the deck defines what its cards refer to: defined.py, part_references.py
+    references/     whether the deck defines what its cards refer to
     without_effect.py  keywords that change no result
     error.py        the error that ends a run
 

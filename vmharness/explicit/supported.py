@@ -9,7 +9,7 @@ import vmharness.explicit
 from vmharness.deck import Deck, Entry, support
 from vmharness.deck.finding import Finding
 from vmharness.deck.support import Supported
-from vmharness.explicit.references import review_references
+from vmharness.explicit.references.cards import review_references
 
 
 @cache

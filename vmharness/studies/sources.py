@@ -19,8 +19,9 @@ PACKAGE = Path(vmharness.__file__).parent
 MEASURING = ("vmharness.run", "vmharness.studies.measured")
 REFUSING = {  # modules that can refuse a deck, and change no value
     "vmharness.deck.finding", "vmharness.deck.rule", "vmharness.deck.support",
-    "vmharness.explicit.defined", "vmharness.explicit.part_references",
-    "vmharness.explicit.references", "vmharness.explicit.supported", "vmharness.explicit.without_effect",
+    "vmharness.explicit.references", "vmharness.explicit.references.cards",
+    "vmharness.explicit.references.defined", "vmharness.explicit.references.parts",
+    "vmharness.explicit.supported", "vmharness.explicit.without_effect",
     "vmharness.explicit.contact.control_contact", "vmharness.explicit.contact.supported",
     "vmharness.explicit.contact.without_effect",
 }  # fmt: skip

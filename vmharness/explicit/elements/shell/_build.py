@@ -6,7 +6,16 @@ from vmharness.deck import Deck
 from vmharness.deck.keywords.control.shell import CONTROL_SHELL
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.deck.keywords.section.shell import SECTION_SHELL
-from vmharness.deck.rule import above, among, at_least, implemented, no_effect, only, unless
+from vmharness.deck.rule import (
+    above,
+    among,
+    at_least,
+    implemented,
+    no_effect,
+    only,
+    unless,
+    without_deformable_parts,
+)
 from vmharness.deck.support import supports
 from vmharness.explicit.elements.shell._parts import thickness
 from vmharness.explicit.elements.shell._shells import Shells
@@ -20,7 +29,7 @@ ELFORM = 2
 SUPPORTS = (
     supports(
         SECTION_SHELL,
-        elform=implemented({ELFORM: "Belytschko-Tsay"}),
+        elform=implemented({ELFORM: "Belytschko-Tsay"}, idle=without_deformable_parts),
         shrf=above(0.0),
         nip=above(0),
         propt=no_effect("affects output only"),

@@ -10,7 +10,7 @@ from vmharness.deck.keywords.control.solid import CONTROL_SOLID
 from vmharness.deck.keywords.element.solid import ELEMENT_SOLID
 from vmharness.deck.keywords.hourglass import HOURGLASS
 from vmharness.deck.keywords.section.solid import SECTION_SOLID
-from vmharness.deck.rule import at_least, implemented, no_effect, only, unless
+from vmharness.deck.rule import at_least, implemented, no_effect, only, unless, without_parts
 from vmharness.deck.support import supports
 from vmharness.explicit.elements.solid._gradient import measures
 from vmharness.explicit.model import contents
@@ -23,7 +23,13 @@ ELFORMS = {1: "one point", 2: "fully integrated"}
 
 SUPPORTS = (
     supports(ELEMENT_SOLID, n9=only(0), n10=only(0)),
-    supports(SECTION_SOLID, elform=implemented(ELFORMS), aet=only(0), cohoff=only(0.0), gaskett=only(0.0)),
+    supports(
+        SECTION_SOLID,
+        elform=implemented(ELFORMS, idle=without_parts),
+        aet=only(0),
+        cohoff=only(0.0),
+        gaskett=only(0.0),
+    ),
     supports(
         CONTROL_BULK_VISCOSITY,
         q1=at_least(0.0),

@@ -14,8 +14,8 @@ from vmharness.deck.keywords.section.beam import RESULTANT, SECTION_BEAM
 from vmharness.deck.keywords.section.discrete import SECTION_DISCRETE
 from vmharness.deck.keywords.section.shell import SECTION_SHELL
 from vmharness.deck.keywords.section.solid import SECTION_SOLID
-from vmharness.explicit.defined import HOURGLASSES, Defined, distinct
 from vmharness.explicit.materials import law_of, material_of
+from vmharness.explicit.references.defined import HOURGLASSES, Defined, distinct
 
 SECTION: Mapping[Keyword, Keyword] = {
     ELEMENT_SOLID: SECTION_SOLID,

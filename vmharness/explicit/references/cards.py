@@ -12,7 +12,7 @@ from vmharness.deck import Deck, DeckError, Entry, Keyword
 from vmharness.deck.finding import Finding, unsupported
 from vmharness.deck.support import Supported
 from vmharness.explicit.contact.without_effect import kinds
-from vmharness.explicit.defined import (
+from vmharness.explicit.references.defined import (
     CURVE,
     NODE_SETS,
     NODES,
@@ -27,7 +27,7 @@ from vmharness.explicit.defined import (
     Defined,
     Kind,
 )
-from vmharness.explicit.part_references import missing_of_parts
+from vmharness.explicit.references.parts import missing_of_parts
 from vmharness.mesh import surface
 
 BY_NAME: Mapping[str, Kind] = {
