@@ -1,7 +1,7 @@
 """A deck file reviewed for `vm check`: everything that keeps a solver from running it, at once."""
 
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -30,13 +30,8 @@ def check_deck(path: Path, solver: str) -> Found:
 
     deck, errors = read_all(path, vocabulary())
     wrong = [finding.error for finding in in_order(deck, map(Finding, _one_a_field(errors)))]
-    places = {_place(error) for error in wrong}
-    unread = _unread(wrong)
-    findings = [
-        finding
-        for finding in calls.solver(solver).review(deck, {})
-        if _place(finding.error) not in places and not finding.error.sought & unread
-    ]
+    follows = _following(wrong)
+    findings = [finding for finding in calls.solver(solver).review(deck, {}) if not follows(finding.error)]
     return {
         ILL_FORMED: wrong,
         UNSUPPORTED: [finding.error for finding in findings if not finding.idle],
@@ -55,6 +50,17 @@ def _one_a_field(errors: "Sequence[DeckError]") -> "Iterator[DeckError]":
         if not (error.field and _place(error) in fields):
             yield error
         fields.add(_place(error))
+
+
+def _following(wrong: "Sequence[DeckError]") -> "Callable[[DeckError], bool]":
+    """Whether a finding is of a stand-in for what is ill-formed, or of a definition that could not be read."""
+    places, unread = {_place(error) for error in wrong}, _unread(wrong)
+    parameters = any(error.keyword.startswith("PARAMETER") for error in wrong)
+    return lambda error: bool(
+        _place(error) in places
+        or error.sought & unread
+        or (parameters and str(error.value).removeprefix("-").startswith("&"))
+    )
 
 
 def _unread(wrong: "Sequence[DeckError]") -> frozenset[str]:
