@@ -83,7 +83,7 @@ def _law(part: Entry, material: Entry, section: Keyword, own: Entry | None) -> I
     """Whether the material has a law for the elements; beams of resultants are elastic."""
     if own and section is SECTION_BEAM and own.elform in RESULTANT:
         if material.keyword is not MAT_ELASTIC:
-            what = f"beams of resultants are elastic: *{MAT_ELASTIC.name} is supported"
+            what = f"resultant beams support *{MAT_ELASTIC.name} only"
             yield part.error("mid", what)
         return
     try:
