@@ -80,7 +80,7 @@ def _material(deck: Deck, part: Entry) -> Generator[DeckError, None, Entry | Non
 
 
 def _law(part: Entry, material: Entry, section: Keyword, own: Entry | None) -> Iterator[DeckError]:
-    """Whether the material has a law for the elements; beams of resultants are elastic."""
+    """Whether the material has a law for the elements; resultant beams are elastic."""
     if own and section is SECTION_BEAM and own.elform in RESULTANT:
         if material.keyword is not MAT_ELASTIC:
             what = f"resultant beams support *{MAT_ELASTIC.name} only"
