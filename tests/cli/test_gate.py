@@ -4,10 +4,13 @@ import json
 import os
 import stat
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
+from vmharness.cli import summary
 from vmharness.cli.commands import run
+from vmharness.compare import Tolerance, compare
 
 
 @pytest.mark.parametrize("command", ["run", "check", "list", "faults"])
@@ -58,6 +61,15 @@ def test_every_result_that_fails_is_printed(ball, vm):
     assert len(lines) == 2
     assert "target 0.07198158 s; error +0.7864 %, tolerance 5e-05 %" in lines[0]
     assert any(line.startswith("  z_peak: ") for line in out.splitlines())
+
+
+def test_a_result_with_a_target_of_zero_is_printed_with_its_value():
+    judged = compare(0.0, 1e-9, Tolerance(absolute=1e-6))
+    row = SimpleNamespace(key="drift", unit="m", comparison=judged)
+    assert summary._line(row) == "drift: 1e-09 m, target 0 m"
+    failed = compare(0.0, 1e-3, Tolerance(absolute=1e-6))
+    line = summary._line(SimpleNamespace(key="drift", unit="m", comparison=failed))
+    assert line.startswith("drift: 0.001 m, target 0 m; 0.001 differs from 0 by 0.001")
 
 
 def test_json_to_standard_output_is_all_that_is_there(ball, vm):

@@ -93,11 +93,7 @@ def _coloured(status: Status) -> "Text":
 
 def _explain(outcome: Outcome, again: Mapping[str, str], debug: bool) -> None:
     """Say why a case did not pass: every result that does not, or the reason for which none could be judged."""
-    lines = (
-        []
-        if outcome.run is None or outcome.run.solution.failure
-        else list(map(_line, _not_passed(outcome.run)))
-    )
+    lines = [_line(row) for row in _not_passed(outcome.run)]
     reason = f": {outcome.reason}" if outcome.reason and not lines else ""
     say(f"{outcome.id}: {outcome.status}{reason}")
     for line in lines:
@@ -108,18 +104,21 @@ def _explain(outcome: Outcome, again: Mapping[str, str], debug: bool) -> None:
         say(f"  run it again: {again[outcome.id]}")
 
 
-def _not_passed(run: "CaseRun") -> "list[Row]":
+def _not_passed(run: "CaseRun | None") -> "list[Row]":
+    """The results that a finished run does not pass; none where it could not be judged."""
+    if run is None or run.solution.failure:
+        return []
     return [row for row in run.rows if row.verdict is not Verdict.PASS]
 
 
 def _line(row: "Row") -> str:
-    """A result in a line: key, value and target with their unit, error and tolerance; or the reason."""
+    """A result in a line: key, value and target with their unit; error and tolerance in percent, or else the reason."""
     c = row.comparison
-    if c.error_percent is None or c.tolerance_percent is None:
-        return f"{row.key}: {c.reason}"
     unit = f" {row.unit}" if row.unit else ""
-    error = f"error {_error(c)} %, tolerance {c.tolerance_percent:.2g} %"
-    return f"{row.key}: {c.value:.7g}{unit}, target {c.target:.7g}{unit}; {error}"
+    line = f"{row.key}: {c.value:.7g}{unit}, target {c.target:.7g}{unit}"
+    if c.error_percent is not None and c.tolerance_percent is not None:
+        return f"{line}; error {_error(c)} %, tolerance {c.tolerance_percent:.2g} %"
+    return f"{line}; {c.reason}" if c.reason else line  # of a target of zero there is no percent
 
 
 def _places(comparison: "Comparison") -> int:
