@@ -12,6 +12,7 @@ from vmharness.cli import main
 ROOT = Path(__file__).parents[2]
 BALL = ROOT / "cases" / "VM-061"
 DENSITY = "RRHO         7.3E-4"  # of the wall, whose nodes are held: it sets the time step, and nothing else
+DATUM = "rho = { value = 7.3e-4,"  # the same in the data of the case
 
 FALL = """*KEYWORD
 *TITLE
@@ -63,7 +64,7 @@ def here(tmp_path, monkeypatch):
 
 @pytest.fixture
 def ball(here):
-    """Makes a copy of VM-061 in ./cases, with other text in its deck; by default its steps are of 0.1 ms."""
+    """Makes a copy of VM-061 in ./cases, with another density and other text in its deck; its steps are of 0.1 ms."""
 
     def copy(id="VM-061", density="2.5437", **deck):
         folder = here / "cases" / id
@@ -73,6 +74,9 @@ def ball(here):
             assert old in text
             text = text.replace(old, new)
         (folder / "deck.k").write_text(text)
+        given = (folder / "case.toml").read_text()
+        assert DATUM in given
+        (folder / "case.toml").write_text(given.replace(DATUM, f"rho = {{ value = {float(density)!r},"))
         return folder
 
     return copy

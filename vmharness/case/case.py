@@ -116,14 +116,18 @@ class Case:
     def with_given(self, changes: Mapping[str, float]) -> "Case":
         """The case with other data: theory and parameters of the deck follow."""
         for name in changes:
-            if name not in self.given:
-                raise CaseError(f"{self.id}: no given datum {name}; there are: {', '.join(self.given)}")
-            if not self.moves_deck(name):
-                raise CaseError(f"{self.id}: {name} cannot be set: nothing in the deck depends on it")
+            self.check_can_be_set(name)
         given = {**self.given, **changes}
         theory = evaluate_theory(self.id, self.file, given, self.formulas)
         changed = self.changed | {name for name in changes if changes[name] != self.given[name]}
         return replace(self, given=given, theory=theory, changed=changed)
+
+    def check_can_be_set(self, datum: str) -> None:
+        """Raise CaseError if there is no such datum, or nothing in the deck depends on it."""
+        if datum not in self.given:
+            raise CaseError(f"{self.id}: no given datum {datum}; there are: {', '.join(self.given)}")
+        if not self.moves_deck(datum):
+            raise CaseError(f"{self.id}: {datum} cannot be set: nothing in the deck depends on it")
 
     def deck_parameters(self) -> dict[str, float]:
         """All parameters of the deck if data were changed; only `overrides` if not.

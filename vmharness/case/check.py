@@ -2,15 +2,18 @@
 
 import re
 from collections.abc import Iterable, Mapping
+from decimal import Decimal
 from pathlib import Path
 
 from vmharness.case.decode import FILE
 from vmharness.case.error import CaseError, near
-from vmharness.case.format import ELEMENTS, EVENTS, OWNERS, CaseFile, Event, as_line
+from vmharness.case.format import ELEMENTS, EVENTS, OWNERS, CaseFile, Event, Result, as_line
 from vmharness.case.settings import CHANGE, HOW
+from vmharness.case.tautology import tautology
 from vmharness.case.template import SUFFIX
 from vmharness.formula import Dimension, Formula, FormulaError, Unit, UnitError, UnitSystem
 
+DIGITS = 17  # of a published number: more than doubles have
 NUMBER = r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?"
 
 
@@ -142,12 +145,21 @@ class Checks:
             self.keys.append(result.key)
             self.known(place, result.event, self.file.events, "event")
             self.known(place, result.channel, ["time", *self.file.channels], "channel")
-            if result.channel == "time" and self.file.events[result.event].at is not None:
-                raise self.wrong(place, f"the time of {result.event} is given, so it cannot be a result")
+            self._can_disagree(place, result)
             dimension = self.formula(f"{place}: target", f"target {result.key}", result.target)
             self.unit(place, result.unit, dimension)
             if result.tolerance.relative == result.tolerance.absolute == 0.0:
                 raise self.wrong(place, "the tolerance is zero: give relative or absolute")
+
+    def _can_disagree(self, place: str, result: Result) -> None:
+        """The event must not give the value of the result."""
+        event = self.file.events[result.event]
+        if result.channel == "time" and event.at is not None:
+            raise self.wrong(place, f"the time of {result.event} is given, so it cannot be a result")
+        seen, read = self.file.channels.get(event.of), self.file.channels.get(result.channel)
+        if seen is not None and read is not None and (why := tautology(event, seen, read)):
+            place = f"{place}: {result.channel} at {result.event} ({event.of})"
+            raise self.wrong(place, f"{why}: this result cannot disagree with its target")
 
     def curves(self) -> None:
         time = Unit(self.file.units.time).dimension
@@ -163,6 +175,8 @@ class Checks:
             self.formula(f"[deck.parameters] {name}", f"parameter {name}", text)
         for name, text in self.file.deck.mesh.items():
             self.formula(f"[deck.mesh] {name}", f"mesh {name}", text)
+        for name in self.file.deck.rounded:
+            self.known("[deck.rounded]", name, self.file.deck.parameters, "parameter")
         if self.file.deck.mesh and not self.file.deck.file.endswith(SUFFIX):
             raise self.wrong(
                 "[deck.mesh]", f"only a template, such as deck.k{SUFFIX}, can have mesh parameters"
@@ -189,6 +203,9 @@ class Checks:
             for key, text in column.values.items():
                 if not re.fullmatch(NUMBER, text):
                     raise self.wrong(f"[published] {number}", f"{key} = {text!r} is not a number")
+                if not _can_be_compared(text):
+                    what = f"{key} = {text}: at most {DIGITS} digits and a size from 1e-300 to 1e300 can be compared"
+                    raise self.wrong(f"[published] {number}", what)
 
     def faults(self) -> None:
         for number, fault in enumerate(self.file.faults, 1):
@@ -199,3 +216,9 @@ class Checks:
                     raise self.wrong(place, f'{name} = "{change}": {HOW}')
             for key in fault.must_fail:
                 self.known(place, key, self.keys, "result")
+
+
+def _can_be_compared(text: str) -> bool:
+    """Whether a number that is written so is a double, with no more digits than one has."""
+    number = Decimal(text)
+    return not number or (len(number.as_tuple().digits) <= DIGITS and -300 <= number.adjusted() <= 300)

@@ -106,6 +106,12 @@ class Event(Table, frozen=True):
     ] = 1
     pick: Annotated[Count, Meta(description="Number of the one to measure")] = 1
 
+    @property
+    def of(self) -> str:
+        """The channel whose event it is; none for a given time."""
+        named = (self.onset_of, self.end_of, self.crossing_of, self.minimum_of, self.maximum_of)
+        return next(filter(None, named), "")
+
 
 class Tolerance(Table, frozen=True):
     """Tolerance |value - target| <= absolute + relative |target|, and its reason."""
@@ -154,7 +160,8 @@ class Published(Table, frozen=True):
         Positive | None, Meta(description="Interval of the states from which the column seems to be read")
     ] = None
     exactly_at: Annotated[
-        dict[Name, float], Meta(description="Results that agree with a reading at exactly this time, by key")
+        dict[Name, NotNegative],
+        Meta(description="Results that agree with a reading at exactly this time, by key"),
     ] = {}
     remark: str = ""
 
@@ -180,6 +187,10 @@ class Deck(Table, frozen=True):
     mesh: Annotated[
         dict[Name, Formula],
         Meta(description="Mesh parameters of the template, as formulas of data and theory"),
+    ] = {}
+    rounded: Annotated[
+        dict[Name, Text],
+        Meta(description="Parameters that the deck has with fewer than six digits, and why they are enough"),
     ] = {}
     include_outside: Annotated[
         bool, Meta(description="Whether *INCLUDE may name files outside the deck's folder")
@@ -259,6 +270,9 @@ class CaseFile(Table, frozen=True):
     files: Annotated[list[Text], Meta(description="Further input files, offered beside the deck")] = []
 
 
+RUN_LENGTH = (
+    "t_end"  # a parameter with exactly this formula is the end of the run, and no datum of the problem
+)
 EVENTS = ("at", "onset_of", "end_of", "crossing_of", "minimum_of", "maximum_of")
 ELEMENTS = ("shell", "solid", "beam", "discrete")
 OWNERS = (

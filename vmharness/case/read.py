@@ -4,11 +4,14 @@ from pathlib import Path
 
 from msgspec.structs import asdict
 
+from vmharness.case.bounds import check_bounds
 from vmharness.case.case import Case, evaluate_theory
 from vmharness.case.check import Checks
+from vmharness.case.check_numbers import check_numbers
 from vmharness.case.check_studies import check_converge, check_sweep, planned
 from vmharness.case.decode import FILE, decode
 from vmharness.case.error import CaseError
+from vmharness.case.tautology import check_times
 from vmharness.formula import UnitError, UnitSystem
 
 
@@ -20,6 +23,7 @@ def read(folder: Path) -> Case:
     except (UnitError, TypeError, ValueError) as error:
         raise CaseError(f"{folder.name}/{FILE}: [units]: {error}") from None
     checked = Checks(folder, file, units)
+    check_numbers(checked)
     checked.all()
     check_converge(checked)
     check_sweep(checked)
@@ -39,8 +43,6 @@ def read(folder: Path) -> Case:
             raise CaseError(
                 f"{folder.name}/{FILE}: {place}: {name} cannot be set: nothing in the deck depends on it"
             )
-    for number, result in enumerate(file.results, 1):
-        if case.target(result.key) == 0.0 and result.tolerance.absolute == 0.0:
-            why = "the target is 0: only an absolute tolerance can judge it"
-            raise CaseError(f"{folder.name}/{FILE}: [results] {number}: {why}")
+    check_bounds(case)
+    check_times(case)
     return case

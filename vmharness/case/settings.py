@@ -17,6 +17,10 @@ class SettingError(ValueError):
     """A setting that is not NAME=NUMBER."""
 
 
+class RegionError(CaseError):
+    """Data for which the theory of a case has no value, or its events do not happen."""
+
+
 def parse(settings: Iterable[str]) -> dict[str, float]:
     """Names and numbers; raises SettingError.
 
@@ -41,16 +45,21 @@ def parse(settings: Iterable[str]) -> dict[str, float]:
 def with_settings(case: "Case", settings: Mapping[str, float]) -> "Case":
     """The case with other data, each in its unit of the case; all formulas are evaluated.
 
-    Raises CaseError for unknown data, and for data without a value of a target or parameter.
+    Raises CaseError for unknown data, and RegionError for data without a value of theory, a target or a parameter.
     """
     for name in settings:
         if name not in case.given:
             raise CaseError(f"{case.id}: no given datum {name}{near(name, case.given)}")
     factor = {name: case.units.factor(case.file.given[name].unit) for name in settings}
-    changed = case.with_given({name: value * factor[name] for name, value in settings.items()})
-    for name in changed.formulas:
-        if not name.startswith(("curve ", "converge ")):  # these need a time or a level
-            changed.evaluate(name)
+    for name in settings:
+        case.check_can_be_set(name)
+    try:
+        changed = case.with_given({name: value * factor[name] for name, value in settings.items()})
+        for name in changed.formulas:
+            if not name.startswith(("curve ", "converge ")):  # these need a time or a level
+                changed.evaluate(name)
+    except CaseError as error:
+        raise RegionError(str(error)) from None
     return changed
 
 

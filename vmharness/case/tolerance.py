@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from vmharness.case import Case
+from vmharness.case.case import Case
 from vmharness.case.format import Budget
 from vmharness.compare import Tolerance
 from vmharness.formula import Unit

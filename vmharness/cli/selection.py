@@ -1,12 +1,14 @@
 """The cases that the arguments of a command select."""
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
 from vmharness.cli.say import complain, say
+from vmharness.suite.check import accepted
 from vmharness.suite.outcome import Outcome, Status
 from vmharness.suite.select import FILE, Entry, SelectError, cases_folder, entries, read_case, select
 
@@ -75,20 +77,44 @@ def one(selector: str, cases: Path | None) -> "Case":
         raise click.UsageError(problem)
     if len(found) > 1:
         raise click.UsageError(f"{selector} selects {len(found)} cases; select one")
-    return read_case(found[0])
+    return accepted(found[0])
 
 
-def read_cases(found: Sequence[Entry], data: Mapping[str, float]) -> tuple[list["Case"], list[Outcome]]:
-    """The cases with their `data` set, and the outcomes of the cases that are wrong."""
+def read_cases(
+    found: Sequence[Entry], data: Mapping[str, float], reviewed: bool = True
+) -> tuple[list["Case"], list[Outcome]]:
+    """The cases with their `data` set, and the outcomes of the cases that are wrong; to be shown, none is `reviewed`.
+
+    Raises UsageError if the events of a case do not happen for these data.
+    """
     from vmharness.case import CaseError
-    from vmharness.case.settings import with_settings
+    from vmharness.case.settings import RegionError
 
     cases: list[Case] = []
     broken: list[Outcome] = []
+    outside: list[str] = []
     for entry in found:
         try:
-            case = read_case(entry)
-            cases.append(with_settings(case, data) if data else case)
+            case = accepted(entry) if reviewed else read_case(entry)
+            cases.append(_with_data(case, data) if data else case)
+        except RegionError as error:
+            outside.append(str(error))
         except CaseError as error:
             broken.append(Outcome(entry.id, Status.BROKEN, str(error)))
+    if outside:
+        raise click.UsageError("--set: " + "\n".join(outside))
     return cases, broken
+
+
+def _with_data(own: "Case", data: Mapping[str, float]) -> "Case":
+    """The case with other data; raises RegionError if its events do not happen for them."""
+    from vmharness.case.deck import read_deck
+    from vmharness.case.settings import RegionError, with_settings
+    from vmharness.deck import DeckError
+    from vmharness.review.region import outside
+
+    case = with_settings(own, data)
+    with suppress(DeckError):  # the solver says so
+        if wrong := outside(case, data, own, read_deck(case)):
+            raise RegionError(f"{own.id}: {'; '.join(wrong)}")
+    return case

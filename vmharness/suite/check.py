@@ -1,6 +1,7 @@
 """Checks of a case that need no run."""
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -20,23 +21,21 @@ class Review:
 
 
 def check(folder: Path, errors: Mapping[str, float] | None = None, solver: str = "builtin") -> Review:
-    """Read the case, its prose and its deck, let the solver review it, review tolerances and faults.
+    """Read the case, its prose and its deck, let the solver review it, review tolerances, faults and published values.
 
     `errors`: how far its results were from their targets when last run, as fractions, by key.
     """
     from vmharness.case import CaseError, tolerance
-    from vmharness.report import prose
-    from vmharness.studies.faults import declared as faults
+    from vmharness.review.published import unexplained
 
     review = Review()
     try:
         case = read_case(Entry(folder))
-        tight, review.doubtful = tolerance.review(case)
-        review.wrong += tight
-        review.doubtful += tolerance.review_measured(case, errors or {})
-        review.wrong += faults.review(case)
-        review.wrong += prose.review(case)
-        review.wrong += _deck(case, solver)
+        review.wrong += refused(case)
+        review.wrong += changed_values(case)
+        _, loose = tolerance.review(case)
+        review.doubtful += [*loose, *tolerance.review_measured(case, errors or {}), *unexplained(case)]
+        review.wrong += _solver(case, solver)
     except CaseError as error:
         review.wrong.append(str(error))
     except Exception as error:  # whatever one case does is its own outcome
@@ -44,20 +43,63 @@ def check(folder: Path, errors: Mapping[str, float] | None = None, solver: str =
     return review
 
 
-def _deck(case: "Case", solver: str) -> list[str]:
+def accepted(entry: Entry) -> "Case":
+    """Read a case; raises CaseError for everything that `check` finds wrong without a solver, but for changed values.
+
+    A deck with changed values runs: it must fail the case.
+    """
+    from vmharness.case import CaseError
+
+    case = read_case(entry)
+    if wrong := refused(case):
+        raise CaseError("; ".join(wrong))
+    return case
+
+
+def refused(case: "Case") -> list[str]:
+    """Reasons why no run of the case can be judged, whatever the solver computes."""
+    from vmharness.case import tolerance
+    from vmharness.case.deck import read_deck
+    from vmharness.deck import DeckError
+    from vmharness.report import prose
+    from vmharness.review.own_input import own_input
+    from vmharness.review.run_length import beyond_the_end, intervals
+    from vmharness.studies.faults import declared as faults
+
+    tight, _ = tolerance.review(case)
+    wrong = [*tight, *faults.review(case), *prose.review(case)]
+    with suppress(DeckError):  # the solver says so
+        deck = read_deck(case)
+        wrong += [*own_input(case, deck), *beyond_the_end(case, deck), *intervals(case, deck)]
+        try:
+            read_deck(_with_parameters_set(case))
+        except DeckError as error:
+            wrong.append(str(error))
+    return wrong
+
+
+def changed_values(case: "Case") -> list[str]:
+    """Sentences on parameters of the deck that are not those of the case; a run with them does not pass."""
+    from vmharness.case.deck import read_deck
+    from vmharness.deck import DeckError
+    from vmharness.review.deck_values import disagreements
+
+    with suppress(DeckError):  # the solver says so
+        return disagreements(case, read_deck(case))
+    return []
+
+
+def _solver(case: "Case", solver: str) -> list[str]:
     """Reasons why the solver cannot run the deck."""
     from vmharness.backends import BackendError, calls
     from vmharness.case.deck import read_deck
     from vmharness.deck import DeckError
     from vmharness.deck.finding import unsupported
 
-    wrong: list[str] = []
     try:
-        wrong += map(str, unsupported(calls.solver(solver).review(read_deck(case), case.file.channels)))
-        read_deck(_with_parameters_set(case))
+        return list(map(str, unsupported(calls.solver(solver).review(read_deck(case), case.file.channels))))
     except (DeckError, BackendError) as error:
-        wrong.append(str(error))
-    return wrong
+        return [str(error)]
 
 
 def _with_parameters_set(case: "Case") -> "Case":

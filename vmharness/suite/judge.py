@@ -12,6 +12,7 @@ from vmharness.execution.folders import WorkFolders
 from vmharness.execution.message import Began, Done, Lost, Message, Raised
 from vmharness.execution.pool import Pool
 from vmharness.execution.worker import Report, Work
+from vmharness.suite.check import changed_values
 from vmharness.suite.outcome import Outcome, Status
 
 if TYPE_CHECKING:
@@ -76,11 +77,17 @@ def judge(case: "Case", solution: "Solution", began: float, closed: Callable[[st
     try:
         solution = replace(solution, failure=closed(solution.failure))
         judged = replace(run.judge(case, solution), seconds=time.perf_counter() - began)
+        changed = changed_values(case)
     except Exception as error:  # of the harness: the solver is done
         return Outcome(
             case.id, Status.DEFECT, f"{type(error).__name__}: {error}", traceback=traceback.format_exc()
         )
-    return Outcome(case.id, VERDICTS[judged.verdict], judged.reason, judged)
+    if not changed:
+        return Outcome(case.id, VERDICTS[judged.verdict], judged.reason, judged)
+    reason = "; ".join(filter(None, [*changed, judged.reason]))
+    if judged.verdict == "pass":  # of another problem than that of the theory
+        return Outcome(case.id, Status.BROKEN, reason)
+    return Outcome(case.id, VERDICTS[judged.verdict], reason, judged)
 
 
 def _nothing(solver: str, reason: str) -> "Solution":

@@ -29,7 +29,7 @@ def command(selector: str, cases: Path | None, solver: str) -> int:
     if not found:
         complain("nothing selected")
         return NOTHING_SELECTED
-    sound, broken = read_cases(found, {})
+    sound, broken = read_cases(found, {}, reviewed=False)
     for outcome in broken:
         complain(outcome.reason)
     for case in sound:

@@ -12,9 +12,9 @@ import numpy as np
 
 from vmharness.case import Case, CaseError
 from vmharness.case.deck import read_deck
+from vmharness.case.format import RUN_LENGTH
 from vmharness.deck import Deck, DeckError, Entry
 from vmharness.studies.changed_deck import with_entries
-from vmharness.studies.faults.declared import RUN_LENGTH
 from vmharness.studies.variant import Variant
 
 PERCENTS = (0.1, -0.1, 1.0, -1.0, 5.0, -5.0)

@@ -7,13 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from vmharness.case import Case, CaseError
-from vmharness.case.format import Fault
+from vmharness.case.format import RUN_LENGTH, Fault
 from vmharness.case.settings import changed_value
 from vmharness.case.tolerance import allowed_difference
 from vmharness.round_off import ROUND_OFF
-
-# A parameter with exactly this formula is the end time of the run, and no datum of the problem.
-RUN_LENGTH = "t_end"
 
 
 @dataclass(frozen=True)
