@@ -51,7 +51,13 @@ def command(
     lost = [(found.case, finding) for found in detections for finding in found.unjudged]
     for case, finding in lost:
         complain(f"{case}: {finding.fault}: could not be judged: {finding.reason}; run the command again")
-    statuses = [Status.UNJUDGED] * (unjudged + len(lost)) + [Status.BROKEN] * (len(broken) + len(unknown))
+    blind = [f"{found.case}: {key}" for found in detections for key in found.unmoved]
+    for result in blind:
+        complain(
+            f"{result}: no fault of deck or solver changes its value: this result cannot disagree with its target"
+        )
+    statuses = [Status.UNJUDGED] * (unjudged + len(lost))
+    statuses += [Status.BROKEN] * (len(broken) + len(unknown) + len(blind))
     return exit_code(statuses) if statuses else EXIT_CODES[Status.PASS]
 
 

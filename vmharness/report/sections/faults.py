@@ -35,6 +35,11 @@ def section(content: bytes, case: Case) -> Section:
     ]
     if found.missed:
         text.append(f"Not caught in this case: {', '.join(finding.fault for finding in found.missed)}.")
+    if found.unmoved:
+        text.append(
+            f"No fault of deck or solver changes the value of {', '.join(found.unmoved)}: "
+            "this cannot disagree with its target."
+        )
     tables = [table for table in (_parameters(found), _others(found)) if table.rows]
     return Section(
         "Planted faults", score(found), text, tables, remarks=_remarks(found), folded=_unseen(found)

@@ -39,6 +39,9 @@ class FaultsRecord:
     case_sha256: str  # of its inputs
     findings: list[Finding] = field(default_factory=list)
     made_by: Maker | None = None  # None in records of before it was kept
+    unmoved: list[str] = field(
+        default_factory=list
+    )  # keys of results that no fault of deck or solver changes
 
     @property
     def caught(self) -> int:

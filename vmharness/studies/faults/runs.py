@@ -7,6 +7,7 @@ import numpy as np
 
 from vmharness.case import Case
 from vmharness.case.deck import read_deck
+from vmharness.round_off import ROUND_OFF
 from vmharness.studies.faults import plant
 from vmharness.studies.faults.deck_faults import (
     OTHER_SIGN,
@@ -75,7 +76,24 @@ def record(
         else one
         for one in found
     ]
-    return FaultsRecord(case.id, case.inputs_sha256, found, maker([sound]))
+    own = [outcome for fault, outcome in zip(faults, outcomes, strict=True) if fault.kind != "reading"]
+    return FaultsRecord(case.id, case.inputs_sha256, found, maker([sound]), unmoved(sound, own))
+
+
+def unmoved(sound: Measured, outcomes: Sequence[Measured]) -> list[str]:
+    """Keys of results that have the value of the sound run, but for round-off, in every run that differs from it.
+
+    Such a result reads what its event or the deck's input gives: it cannot disagree with its target.
+    """
+    others = [each for each in outcomes if each.results and not (each.failure or each.lost)]
+    others = [each for each in others if each.history_sha256 != sound.history_sha256]
+    return [key for key in sound.results if others and all(_same(sound, each, key) for each in others)]
+
+
+def _same(sound: Measured, other: Measured, key: str) -> bool:
+    """Whether a result has the same value in both runs but for round-off."""
+    one, two = sound.results[key].value, other.results[key].value
+    return one is not None and two is not None and abs(two - one) <= ROUND_OFF * abs(one)
 
 
 def _is_idle(case: Case, name: str, found: Sequence[Finding]) -> bool:
