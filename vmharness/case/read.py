@@ -8,13 +8,17 @@ from vmharness.case.case import Case, evaluate_theory
 from vmharness.case.check import Checks
 from vmharness.case.check_studies import check_converge, check_sweep, planned
 from vmharness.case.decode import FILE, decode
-from vmharness.case.error import CaseError
+from vmharness.case.error import CaseError, printable
+from vmharness.case.files import check_files
 from vmharness.formula import UnitError, UnitSystem
 
 
 def read(folder: Path) -> Case:
     """The case in `folder`; raises CaseError with the file, the table and the wrong entry."""
+    if not folder.name.isprintable():
+        raise CaseError(f"{printable(folder.name)}: the name of the folder is not text in UTF-8; rename it")
     file = decode(folder / FILE)
+    check_files(folder, file)
     try:
         units = UnitSystem(**{name: value for name, value in asdict(file.units).items() if value})
     except (UnitError, TypeError, ValueError) as error:
@@ -43,4 +47,5 @@ def read(folder: Path) -> Case:
         if case.target(result.key) == 0.0 and result.tolerance.absolute == 0.0:
             why = "the target is 0: only an absolute tolerance can judge it"
             raise CaseError(f"{folder.name}/{FILE}: [results] {number}: {why}")
+    case.deck_source()  # raises CaseError if its template makes no deck
     return case
