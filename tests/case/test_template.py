@@ -29,17 +29,42 @@ def test_whole_numbers_are_integers(tmp_path):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("*KEYWORD\n{{ m }}", r"deck.k.j2: 'm' is undefined"),
+        ("*KEYWORD\n{{ m }}", r"deck.k.j2:2: 'm' is undefined"),
         ("*KEYWORD\n{% for %}", r"deck.k.j2:2: "),
-        ("{{ n.__class__.__mro__ }}", r"unsafe"),
-        ("{{ 1 / 0 }}", r"division by zero"),
-        ("{{ range(100000000) }}", r"Range too big"),
+        ("{{ n.__class__.__mro__ }}", r"deck.k.j2:1: .*unsafe"),
+        ("\n\n{{ 1 / 0 }}", r"deck.k.j2:3: division by zero"),
+        ("{{ range(100000000) }}", r"deck.k.j2:1: Range too big"),
         ("{% include '/etc/passwd' %}", r"no loader|loader"),
+        ("\n{% macro f() %}{{ f() }}{% endmacro %}\n{{ f() }}", r"deck.k.j2:2: calls itself without end"),
+        ("\n{{ " + 3000 * "(" + "n" + 3000 * ")" + " }}", r"deck.k.j2:2: nested too deeply"),
+        ("\n{{ " + 100 * "-" + "n }}", r"deck.k.j2:2: nested deeper than 80"),
+        (
+            30 * "{% for i in [1] %}\n" + 30 * "{% endfor %}",
+            r"deck.k.j2:2\d: too many statically nested blocks",
+        ),
+        ("\n{% macro f(n, n) %}{% endmacro %}", r"deck.k.j2:2: duplicate argument"),
+        ("\n{{ 'a' * 10**11 }}", r"deck.k.j2:2: a text or list repeated 100000000000 times is longer"),
+        ("\n{{ 10**(10**10) }}", r"deck.k.j2:2: a power with the exponent 10000000000 is too large"),
+        ("\n{{ 'a'|center(10**11) }}", r"deck.k.j2:2: takes more memory than 2 GB"),
+        ("\n{{ 'a'|center(99999999999) }}", r"deck.k.j2:2: takes more memory than 2 GB"),
+        ("\n{{ '%099999999999d' % n }}", r"deck.k.j2:2: "),
+        ("a\nb\n{{ '\\ud800' }}", r"deck.k.j2:3: makes '\\ud800', which no file can hold"),
+        ("a\nb\n{{ '%c' % 55296 }}", r"deck.k.j2:3: makes '\\ud800', which no file can hold"),
+        ("\n{{ [1].nothing.at.all }}", r"deck.k.j2:2: .*no attribute 'nothing'"),
+        ("\n{{ {}|first + 1 }}", r"deck.k.j2:2: "),
+        ("\n{{ n|nofilter }}", r"deck.k.j2:2: No filter named 'nofilter'"),
+        ("\n{{ n(1) }}", r"deck.k.j2:2: 'int' object is not callable"),
     ],
 )
-def test_what_is_wrong_is_said_and_nothing_unsafe_is_done(tmp_path, text, message):
+def test_what_is_wrong_is_said_with_its_line_and_nothing_unsafe_is_done(tmp_path, text, message):
     with pytest.raises(CaseError, match=message):
         made(tmp_path, text, n=2.0)
+
+
+def test_a_deck_without_end_ends(tmp_path):
+    endless = "\n{% for i in range(99999) %}\n{% for j in range(99999) %}\n{{ 200 * 'x' }}\n{% endfor %}\n{% endfor %}"
+    with pytest.raises(CaseError, match=r"deck.k.j2:4: (the deck has more than 2e\+08|takes more memory)"):
+        made(tmp_path, endless)
 
 
 @pytest.mark.parametrize("n", [50, 200])

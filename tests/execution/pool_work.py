@@ -27,6 +27,8 @@ def ready(*offsets):
                 return os.getpid()
             case "environment":
                 return os.environ.get(value)
+            case "memory":
+                return bytearray(value)
             case "progress":
                 for i in range(value):
                     progress(i / value)
@@ -38,3 +40,9 @@ def ready(*offsets):
 def unready():
     """Fail to prepare a worker."""
     raise ImportError("no such solver here")
+
+
+def slow(seconds):
+    """Prepare a worker as imports do that take long."""
+    time.sleep(seconds)
+    return ready()

@@ -68,6 +68,25 @@ def test_a_hanging_worker_is_killed_and_replaced(work):
     assert time.monotonic() - began < 300
 
 
+def test_the_time_limit_begins_when_the_worker_is_ready(work):
+    with Pool(1, work.slow, 3.0) as pool:
+        assert ends(pool, [("add", 1), ("add", 2)], timeout=2.0) == {0: Done(1), 1: Done(2)}
+
+
+def test_a_worker_that_is_never_ready_is_given_up(work, monkeypatch):
+    monkeypatch.setattr("vmharness.execution.pool.PREPARING", 1.0)
+    with Pool(1, work.slow, 600.0) as pool:
+        found = ends(pool, [("add", 1)])
+    assert found == {0: Lost("not ready to begin after 1 s, the time limit")}
+
+
+def test_a_task_that_asks_for_all_memory_fails_alone(work):
+    with Pool(1, work.ready) as pool:
+        found = ends(pool, [("memory", 2**40), ("add", 1)])
+    assert found[0].error.startswith("MemoryError")
+    assert found[1] == Done(1)
+
+
 def test_an_exception_is_told_with_its_traceback(work):
     with Pool(1, work.ready) as pool:
         found = ends(pool, [("raise", "bad deck"), ("add", 1)])

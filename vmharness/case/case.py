@@ -1,9 +1,9 @@
 """A case: its file, its data and the theory evaluated for them."""
 
 import hashlib
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +13,7 @@ from vmharness.case.decode import FILE
 from vmharness.case.digest import inputs
 from vmharness.case.error import CaseError
 from vmharness.case.format import CaseFile, Published, Result
-from vmharness.case.template import SUFFIX, render
+from vmharness.case.template import MOST, SUFFIX, render
 from vmharness.formula import Dimension, Formula, FormulaError, UnitSystem
 
 Array = NDArray[np.float64]
@@ -40,6 +40,7 @@ class Case:
         default_factory=dict
     )  # mesh parameters of its template, likewise
     deck_text: str = ""  # a complete deck to run in place of that of the folder
+    _evaluated: dict[str, float] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     @property
     def values(self) -> dict[str, float]:
@@ -62,14 +63,19 @@ class Case:
         template = [] if self.deck_name == self.file.deck.file else [self.file.deck.file]
         return [*self.file.files, *template, "case.toml"]
 
-    def deck_source(self, most: float = math.inf) -> str:
+    def deck_source(self, most: float = MOST) -> str:
         """The deck that runs in place of that of the folder: one that was set, or rendered from a template; else "".
 
         Raises CaseError if the template is wrong, or makes a deck of more than `most` characters.
         """
         if self.deck_text or not self.file.deck.file.endswith(SUFFIX):
             return self.deck_text
-        return render(self.deck_path, self.mesh_parameters(), most)
+        return self._rendered if most == MOST else render(self.deck_path, self.mesh_parameters(), most)
+
+    @cached_property
+    def _rendered(self) -> str:
+        """The deck that the template makes."""
+        return render(self.deck_path, self.mesh_parameters())
 
     @property
     def sha256(self) -> str:
@@ -107,11 +113,13 @@ class Case:
         return np.broadcast_to(np.asarray(values, float), t.shape)
 
     def evaluate(self, name: str) -> float:
-        """The value of the formula `name`; raises CaseError if it has none for these data."""
-        try:
-            return float(self.formulas[name].evaluate(self.values))
-        except FormulaError as error:
-            raise CaseError(f"{self.id}: {name}: {error}") from None
+        """The value of the formula `name`, evaluated once; raises CaseError if it has none for these data."""
+        if name not in self._evaluated:
+            try:
+                self._evaluated[name] = float(self.formulas[name].evaluate(self.values))
+            except FormulaError as error:
+                raise CaseError(f"{self.id}: {name}: {error}") from None
+        return self._evaluated[name]
 
     def with_given(self, changes: Mapping[str, float]) -> "Case":
         """The case with other data: theory and parameters of the deck follow."""
@@ -163,10 +171,15 @@ class Case:
 
     def origins(self, formula: str) -> frozenset[str]:
         """The given data on which a formula depends, directly or through the theory."""
-        origins: frozenset[str] = frozenset()
-        for name in self.formulas[formula].names:
-            origins |= {name} if name in self.given else self.origins(name)
-        return origins
+        return frozenset[str]().union(*(self._origins[name] for name in self.formulas[formula].names))
+
+    @cached_property
+    def _origins(self) -> dict[str, frozenset[str]]:
+        """The given data on which each datum and each line of the theory depends; a line uses lines above it only."""
+        found = {name: frozenset({name}) for name in self.given}
+        for line in self.file.theory:
+            found[line] = frozenset[str]().union(*(found[name] for name in self.formulas[line].names))
+        return found
 
 
 def evaluate_theory(

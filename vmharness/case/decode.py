@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from traceback import walk_tb
 from typing import Any
 
 import msgspec
@@ -11,18 +12,61 @@ from vmharness.case.error import CaseError, near
 from vmharness.case.format import CaseFile
 
 FILE = "case.toml"
+MOST = 10**6  # bytes: the longest of the manual have some thousands
+DIGITS = 4300  # of a whole number that Python reads
+LONG = re.compile(rf"\d{{{DIGITS + 1}}}")
 
 
 def decode(path: Path) -> CaseFile:
     """The tables of the file at `path`; raises CaseError if it is missing, is not TOML or does not fit the format."""
+    place = f"{path.parent.name}/{FILE}"
+    content = content_of(path)
+    text = utf8(content, place)
     try:
-        return msgspec.toml.decode(path.read_bytes(), type=CaseFile)
-    except OSError as error:
-        raise CaseError(f"{path.parent.name}: no {FILE} can be read: {error.strerror}") from None
+        return msgspec.toml.decode(text, type=CaseFile)
     except msgspec.ValidationError as error:
-        raise CaseError(f"{path.parent.name}/{FILE}: {_place(str(error))}") from None
-    except (msgspec.DecodeError, UnicodeDecodeError) as error:
-        raise CaseError(f"{path.parent.name}/{FILE}: not TOML: {error}") from None
+        raise CaseError(f"{place}: {_place(str(error))}") from None
+    except msgspec.DecodeError as error:
+        raise CaseError(f"{place}: not TOML: {error}") from None
+    except RecursionError as error:
+        raise CaseError(f"{place}:{_line(error)}: nested too deeply to be read") from None
+    except ValueError as error:
+        if not LONG.search(text):
+            raise CaseError(f"{place}:{_line(error)}: {error}") from None
+        raise CaseError(f"{place}:{_line(error)}: a whole number of more than {DIGITS} digits") from None
+
+
+def content_of(path: Path) -> bytes:
+    """The bytes of a case.toml; raises CaseError if it is missing, no file or much too long."""
+    id = path.parent.name
+    try:
+        if path.exists() and not path.is_file():
+            raise CaseError(f"{id}: {FILE} is not a file")
+        if path.stat().st_size > MOST:
+            raise CaseError(f"{id}/{FILE}: longer than {MOST} bytes")
+        return path.read_bytes()
+    except OSError as error:
+        raise CaseError(f"{id}: no {FILE} can be read: {error.strerror}") from None
+
+
+def utf8(content: bytes, place: str) -> str:
+    """The text of a file; raises CaseError with the line that is not UTF-8."""
+    try:
+        return content.decode("utf-8")
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        wrong = f"the byte 0x{content[error.start]:02x} is not UTF-8; save the file as UTF-8"
+        raise CaseError(f"{place}:{line}: {wrong}") from None
+
+
+def _line(error: Exception) -> int:
+    """The line that tomllib was at: its functions have the text `src` and the place `pos` in it."""
+    found = 1
+    for frame, _ in walk_tb(error.__traceback__):
+        source, at = frame.f_locals.get("src"), frame.f_locals.get("pos")
+        if isinstance(source, str) and isinstance(at, int):
+            found = source.count("\n", 0, at) + 1
+    return found
 
 
 def _place(message: str) -> str:

@@ -10,14 +10,18 @@ from vmharness.case.check import Checks
 from vmharness.case.check_numbers import check_numbers
 from vmharness.case.check_studies import check_converge, check_sweep, planned
 from vmharness.case.decode import FILE, decode
-from vmharness.case.error import CaseError
+from vmharness.case.error import CaseError, printable
+from vmharness.case.files import check_files
 from vmharness.case.tautology import check_times
 from vmharness.formula import UnitError, UnitSystem
 
 
 def read(folder: Path) -> Case:
     """The case in `folder`; raises CaseError with the file, the table and the wrong entry."""
+    if not folder.name.isprintable():
+        raise CaseError(f"{printable(folder.name)}: the name of the folder is not text in UTF-8; rename it")
     file = decode(folder / FILE)
+    check_files(folder, file)
     try:
         units = UnitSystem(**{name: value for name, value in asdict(file.units).items() if value})
     except (UnitError, TypeError, ValueError) as error:
@@ -45,4 +49,5 @@ def read(folder: Path) -> Case:
             )
     check_bounds(case)
     check_times(case)
+    case.deck_source()  # raises CaseError if its template makes no deck
     return case

@@ -1,42 +1,157 @@
-"""Template of a deck: Jinja2 in a sandbox, which makes the mesh from mesh parameters."""
+"""Template of a deck: Jinja2 in a sandbox, which makes the mesh from mesh parameters.
 
-import math
-from collections.abc import Iterable, Iterator, Mapping
+Each error of a template is a CaseError with the line. Nesting, memory and output are bounded here, the time by the
+process that reads the case.
+"""
+
+import re
+from collections.abc import Iterator, Mapping
 from pathlib import Path
+from traceback import walk_tb
+from typing import TYPE_CHECKING, Any
 
+from vmharness.case.decode import utf8
 from vmharness.case.error import CaseError
+from vmharness.execution.memory import GIGABYTE, at_most
+
+if TYPE_CHECKING:
+    from jinja2 import Environment, Template, nodes
 
 SUFFIX = ".j2"
+MOST = 2 * 10**8  # characters of a deck: some million elements
+MEMORY = 2 * GIGABYTE
+DEEPEST = 80  # nodes within each other: below what Python's compiler can read
+LARGEST = 10**6  # bits of a whole number, and items of a repeated text or list
+COMPILED = "<template>"  # the file of the code that Jinja2 makes
 
 
-def render(path: Path, values: Mapping[str, float], most: float = math.inf) -> str:
+def render(path: Path, values: Mapping[str, float], most: float = MOST) -> str:
     """The deck that the template makes of `values`; whole numbers become integers.
 
     Raises CaseError with the line for an error in the template or an undefined name, and if the deck has more than
     `most` characters.
     """
-    from jinja2 import StrictUndefined, TemplateError, TemplateSyntaxError
-    from jinja2.sandbox import SandboxedEnvironment
-
-    environment = SandboxedEnvironment(
-        undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True
-    )
     place = f"{path.parent.name}/{path.name}"
     numbers = {name: int(value) if value.is_integer() else value for name, value in values.items()}
+    text = utf8(path.read_bytes(), place)
     try:
-        pieces = environment.from_string(path.read_text(encoding="utf-8")).generate(numbers)
-        return "".join(_up_to(most, pieces, place))
+        with at_most(MEMORY):
+            return "".join(_pieces(_compiled(text, place), numbers, most, place))
+    except MemoryError as error:
+        raise CaseError(f"{place}: {_what(error)}") from None
+
+
+def _compiled(text: str, place: str) -> "Template":
+    from jinja2 import StrictUndefined, TemplateSyntaxError, nodes
+    from jinja2.compiler import CodeGenerator, Frame
+    from jinja2.parser import Parser
+    from jinja2.sandbox import SandboxedEnvironment
+
+    class AtItsTurn(CodeGenerator):
+        """Computes nothing but plain text before it is its turn, so that each error has its line."""
+
+        def _output_child_to_const(self, node: nodes.Expr, frame: Frame, finalize: Any) -> str:
+            if not isinstance(node, nodes.TemplateData):
+                raise nodes.Impossible
+            return super()._output_child_to_const(node, frame, finalize)
+
+    environment = SandboxedEnvironment(
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        optimized=False,
+    )
+    environment.code_generator_class = AtItsTurn
+    environment.intercepted_binops = frozenset({"*", "**"})
+    environment.binop_table |= {"*": _product, "**": _power}
+    try:
+        parser = Parser(environment, text)
+        tree = parser.parse()
+        _check(tree, place)
+        return environment.template_class.from_code(
+            environment, environment.compile(tree), environment.make_globals(None)
+        )
     except TemplateSyntaxError as error:
         raise CaseError(f"{place}:{error.lineno}: {error.message}") from None
-    except (TemplateError, ArithmeticError, TypeError, ValueError) as error:
-        raise CaseError(f"{place}: {error}") from None
+    except RecursionError:
+        raise CaseError(f"{place}:{parser.stream.current.lineno}: nested too deeply") from None
+    except SyntaxError as error:  # of the code that Jinja2 makes
+        line = _line_of_code(environment, tree, error.lineno or 0)
+        raise CaseError(f"{place}:{line}: {error.msg}") from None
 
 
-def _up_to(most: float, pieces: Iterable[str], place: str) -> Iterator[str]:
-    """The pieces of a text; raises CaseError once they have more than `most` characters together."""
+def _check(tree: "nodes.Node", place: str) -> None:
+    """Raise CaseError for what is nested too deeply, and for a constant text that no file can hold."""
+    from jinja2.nodes import Const
+
+    level: list[nodes.Node] = [tree]
+    for _ in range(DEEPEST):
+        for node in level:
+            if isinstance(node, Const) and isinstance(node.value, str) and (wrong := _no_text(node.value)):
+                raise CaseError(f"{place}:{node.lineno}: makes {wrong!r}, which no file can hold")
+        level = [child for node in level for child in node.iter_child_nodes()]
+    if level:
+        raise CaseError(f"{place}:{level[0].lineno}: nested deeper than {DEEPEST}")
+
+
+def _no_text(text: str) -> str:
+    """The first character that UTF-8 does not have, half of a surrogate pair; "" without any."""
+    return next((one for one in text if "\ud800" <= one <= "\udfff"), "") if not text.isascii() else ""
+
+
+def _pieces(template: "Template", numbers: Mapping[str, float], most: float, place: str) -> Iterator[str]:
+    """The pieces of the deck; raises CaseError for whatever the template does wrong."""
     length = 0
-    for piece in pieces:
-        length += len(piece)
-        if length > most:
-            raise CaseError(f"{place}: the deck has more than {most:g} characters: its mesh is too fine")
-        yield piece
+    rendering: Any = template.root_render_func(template.new_context(dict(numbers)))
+    try:
+        for piece in rendering:
+            length += len(piece)
+            if length > most:
+                raise OverflowError(f"the deck has more than {most:g} characters: its mesh is too fine")
+            if wrong := _no_text(piece):
+                raise ValueError(f"makes {wrong!r}, which no file can hold")
+            yield piece
+    except Exception as error:  # whatever a template can raise
+        frame = rendering.gi_frame
+        lines = [frame.f_lineno] if frame is not None else _lines(error)
+        line = f":{template.get_corresponding_lineno(lines[-1])}" if lines else ""
+        raise CaseError(f"{place}{line}: {_what(error)}") from None
+
+
+def _lines(error: Exception) -> list[int]:
+    """The lines of the compiled template that an error came through."""
+    trace = walk_tb(error.__traceback__)
+    return [line for frame, line in trace if frame.f_code.co_filename == COMPILED]
+
+
+def _line_of_code(environment: "Environment", tree: "nodes.Template", line: int) -> int:
+    """The line of the template that a line of its code is made from."""
+    code = str(environment.compile(tree, raw=True))
+    pairs = re.findall(r"(\d+)=(\d+)", code.rpartition("debug_info")[2])
+    return max((int(own) for own, of_code in pairs if int(of_code) <= line), default=1)
+
+
+def _what(error: Exception) -> str:
+    """What is wrong, in words."""
+    match error:
+        case MemoryError():
+            return f"takes more memory than {MEMORY // GIGABYTE} GB"
+        case RecursionError():
+            return "calls itself without end"
+    return str(error) or type(error).__name__
+
+
+def _product(left: Any, right: Any) -> Any:
+    """left * right, of a bounded length."""
+    for some, times in ((left, right), (right, left)):
+        if isinstance(some, str | list | tuple) and isinstance(times, int) and len(some) * times > LARGEST:
+            raise OverflowError(f"a text or list repeated {times} times is longer than {LARGEST:.0e}")
+    return left * right
+
+
+def _power(left: Any, right: Any) -> Any:
+    """left ** right, of a bounded size."""
+    if isinstance(left, int) and isinstance(right, int) and left.bit_length() * right > LARGEST:
+        raise OverflowError(f"a power with the exponent {right} is too large")
+    return left**right

@@ -6,8 +6,13 @@ from typing import Any
 
 
 @dataclass(frozen=True)
+class Ready:
+    """The worker is prepared; the pool keeps this message to itself."""
+
+
+@dataclass(frozen=True)
 class Began:
-    """The task was given to a worker."""
+    """A worker that is ready has the task: its time begins."""
 
 
 @dataclass(frozen=True)

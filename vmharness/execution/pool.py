@@ -13,7 +13,7 @@ from multiprocessing.context import SpawnProcess
 from types import TracebackType
 from typing import Any
 
-from vmharness.execution.message import Began, Lost, Message, Progress, Raised, ending
+from vmharness.execution.message import Began, Lost, Message, Progress, Raised, Ready, ending
 from vmharness.execution.session import end
 from vmharness.execution.worker import Work, serve
 
@@ -24,18 +24,20 @@ OUTSIDE = (
     "SIGHUP",
     "SIGXCPU",
 )  # from the system, as where memory runs out, or from its user
+PREPARING = 300.0  # seconds: the longest that imports may take, on a machine that is busy
 SPAWN = multiprocessing.get_context("spawn")  # a fork would inherit the threads and locks of numpy and numba
 
 
 @dataclass
 class Worker:
-    """A process, our end of its pipe, what it was prepared with, and the number of the task that it is at."""
+    """A process, our end of its pipe, what it was prepared with, whether it is so, and the number of its task."""
 
     process: SpawnProcess
     connection: Connection
     arguments: tuple[Any, ...]
+    ready: bool = False
     task: int = IDLE
-    deadline: float = math.inf
+    deadline: float = math.inf  # of the task; until the worker is ready, of its preparation
     ended: bool = False
 
 
@@ -67,8 +69,8 @@ class Pool:
     ) -> Generator[tuple[int, Message], None, None]:
         """Yield (number of the task, message) until every task is Done, Raised or Lost, which each is just once.
 
-        A task that is not done `timeout` seconds after it was given to a worker is lost, and the worker with it. So are
-        the workers that are busy when the caller stops to listen: an interrupt, above all.
+        A task that is not done `timeout` seconds after a worker that is ready has it is lost, and the worker with it.
+        So are the workers that are busy when the caller stops to listen: an interrupt, above all.
         `arguments` of a task, in place of the pool's own: a worker that was prepared with others is replaced.
         """
         waiting = deque(enumerate(tasks))
@@ -78,8 +80,9 @@ class Pool:
                 for i, worker in enumerate(self._workers):
                     if worker.task == IDLE and waiting:
                         number, task = waiting.popleft()
-                        self._workers[i] = self._give(worker, number, task, timeout, given[number])
-                        yield number, Began()
+                        worker = self._workers[i] = self._give(worker, number, task, timeout, given[number])
+                        if worker.ready:
+                            yield number, Began()
                 busy = [worker for worker in self._workers if worker.task != IDLE]
                 if not busy:
                     return
@@ -100,7 +103,8 @@ class Pool:
         if wait([worker.process.sentinel], 0) or worker.arguments != arguments:
             _kill(worker)
             worker = self._start(arguments)
-        worker.task, worker.deadline = number, time.monotonic() + timeout
+        worker.task = number
+        worker.deadline = time.monotonic() + (timeout if worker.ready else PREPARING)
         with contextlib.suppress(ConnectionError):  # it has just died: the end of its pipe will be heard
             worker.connection.send(task)
         return worker
@@ -124,22 +128,29 @@ def _listen(busy: Sequence[Worker], timeout: float) -> Iterator[tuple[int, Messa
     first = min(worker.deadline for worker in busy)
     ready = wait([worker.connection for worker in busy], None if math.isinf(first) else max(first - now, 0.0))
     for worker in busy:
+        message: Message | Ready
         if worker.connection in ready:
             message = _receive(worker)
         elif time.monotonic() >= worker.deadline:
             _kill(worker)
-            message = Lost(f"not done after {timeout:g} s, the time limit")
+            what = f"done after {timeout:g}" if worker.ready else f"ready to begin after {PREPARING:g}"
+            message = Lost(f"not {what} s, the time limit")
         else:
             continue
         number = worker.task
+        if not worker.ready:
+            worker.ready, worker.deadline = True, time.monotonic() + timeout
+            yield number, Began()
+        if isinstance(message, Ready):
+            continue
         if not isinstance(message, Progress):
             worker.task = IDLE
         yield number, message
 
 
-def _receive(worker: Worker) -> Message:
+def _receive(worker: Worker) -> Message | Ready:
     try:
-        message: Message = worker.connection.recv()
+        message: Message | Ready = worker.connection.recv()
         return message
     except (EOFError, OSError):
         wait([worker.process.sentinel], 1.0)  # it ends by itself, before it is killed for certain

@@ -13,7 +13,8 @@ from multiprocessing.connection import Connection
 from typing import Any
 
 from vmharness.execution.garbage import collect_rarely
-from vmharness.execution.message import Done, Progress, Raised
+from vmharness.execution.memory import at_most_that_of_the_machine
+from vmharness.execution.message import Done, Progress, Raised, Ready
 from vmharness.execution.session import lead
 
 Report = Callable[[float], None]
@@ -32,8 +33,10 @@ def serve(connection: Connection, prepare: Callable[..., Work], arguments: tuple
     lead()
     collect_rarely()
     os.environ.update(dict.fromkeys(ONE_THREAD, "1"))
+    at_most_that_of_the_machine()
     prepared = _attempt(prepare, *arguments)
     with contextlib.suppress(EOFError, ConnectionError):  # the parent is gone
+        connection.send(Ready())
         while True:
             task = connection.recv()
             answer = prepared

@@ -1,6 +1,7 @@
 """The value of a formula, on numbers or on numpy arrays."""
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import reduce
 from typing import Any
 
@@ -9,7 +10,7 @@ import numpy as np
 from vmharness.formula.bisection import STEPS, bisection
 from vmharness.formula.error import FormulaError, suggestion
 from vmharness.formula.functions import FUNCTIONS
-from vmharness.formula.scope import Scope, Value, choose
+from vmharness.formula.scope import CALL, Scope, Value, choose
 from vmharness.formula.series import MAX_EVALUATIONS, series
 from vmharness.formula.text import write
 from vmharness.formula.tree import Binary, Bound, Call, Comparison, Logic, Name, Negative, Node, Number, names
@@ -22,13 +23,14 @@ COMPARE = {
     "==": np.equal,
     "!=": np.not_equal,
 }
+SLOW = ("besselj", "ellipk")  # each number takes as long as a call
 
 
 def evaluate(tree: Node, given: Mapping[str, Any]) -> Any:
     """Value in consistent units: a float, or an array of the common shape of the arrays given.
 
-    Every operation must give a finite number, or FormulaError names it. A branch of `where` is evaluated only
-    at the points where it is taken.
+    Every operation must give a finite number, or FormulaError names it; it also ends an evaluation that would take
+    more than some seconds. A branch of `where` is evaluated only at the points where it is taken.
     """
     needed = sorted(names(tree))
     for name in needed:
@@ -55,6 +57,7 @@ def evaluate(tree: Node, given: Mapping[str, Any]) -> Any:
 
 
 def _value(node: Node, scope: Scope) -> Value:
+    scope.work.add(scope.points or 1)
     match node:
         case Number(text):
             return np.float64(text)
@@ -71,6 +74,8 @@ def _value(node: Node, scope: Scope) -> Value:
                 _truth(condition, scope), scope, lambda s: _value(then, s), lambda s: _value(other, s)
             )
         case Call(function, arguments):
+            if function in SLOW:
+                scope.work.add(CALL * (scope.points or 1))
             return _call(node, function, [_value(argument, scope) for argument in arguments])
         case Bound("sum"):
             return _series(node, scope)
@@ -124,7 +129,7 @@ def _call(node: Node, function: str, arguments: list[Value]) -> Value:
 
 
 def _ufunc(function: str) -> Callable[..., Value]:
-    if function in ("ellipk", "besselj"):
+    if function in SLOW:
         from scipy import special
 
         return special.ellipk if function == "ellipk" else special.jv
@@ -163,7 +168,7 @@ def _root(node: Bound, scope: Scope) -> Value:
     repeats = scope.repeats * STEPS
 
     def body(x: Value) -> Value:
-        inner = Scope({**scope.values, node.variable: x}, repeats)
+        inner = replace(scope, values={**scope.values, node.variable: x}, repeats=repeats)
         return np.broadcast_to(_value(node.body, inner), shape)[()]
 
     low, high = (np.broadcast_to(_value(end, scope), shape)[()] for end in (node.low, node.high))

@@ -1,10 +1,12 @@
 """The sum of a series."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from vmharness.formula.scope import Branch, Scope, Value
 
-MAX_TERMS, MAX_EVALUATIONS, CHUNK = 10**6, 10**8, 10**6
+MAX_TERMS, MAX_EVALUATIONS, CHUNK = 10**6, 10**7, 10**6
 
 
 def series(term: Branch, variable: str, first: Value, last: Value, scope: Scope) -> Value:
@@ -16,6 +18,7 @@ def series(term: Branch, variable: str, first: Value, last: Value, scope: Scope)
     points, terms = scope.points if scope.points is not None else 1, max(0, stop - start)
     if terms > MAX_TERMS or terms * points * scope.repeats > MAX_EVALUATIONS:
         raise ValueError(f"{terms} terms at {points * scope.repeats} points are too many")
+    scope.work.add(terms * points * (1 + sum(value.ndim for value in scope.values.values())))
     step = max(1, CHUNK // max(1, points))
     repeats = scope.repeats * -(-terms // step)
     total = np.zeros(points)
@@ -25,7 +28,7 @@ def series(term: Branch, variable: str, first: Value, last: Value, scope: Scope)
             name: np.repeat(value, n.size) if value.ndim else value for name, value in scope.values.items()
         }
         values[variable] = np.tile(n, points)
-        found = np.broadcast_to(term(Scope(values, repeats)), (points * n.size,))
+        found = np.broadcast_to(term(replace(scope, values=values, repeats=repeats)), (points * n.size,))
         total += found.reshape(points, n.size).sum(axis=1)
     return total if scope.points is not None else total[0]
 

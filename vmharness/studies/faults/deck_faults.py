@@ -3,7 +3,6 @@
 One number is wrong by a few percent, in its sign or in its unit; or supports are missing.
 """
 
-import math
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -13,6 +12,7 @@ import numpy as np
 from vmharness.case import Case, CaseError
 from vmharness.case.deck import read_deck
 from vmharness.case.format import RUN_LENGTH
+from vmharness.case.template import MOST
 from vmharness.deck import Deck, DeckError, Entry
 from vmharness.studies.changed_deck import with_entries
 from vmharness.studies.variant import Variant
@@ -40,7 +40,7 @@ def parameter_faults(case: Case, cycles: int) -> list[CaseFault]:
     The mesh parameters of a template that describe the model alone are skipped: they count nodes and elements.
     """
     deck = case.file.deck
-    most = LARGEST * len(case.deck_source()) or math.inf
+    most = LARGEST * len(case.deck_source()) or MOST
     found: list[CaseFault] = []
     for name, formula in deck.parameters.items():
         if formula != RUN_LENGTH:
