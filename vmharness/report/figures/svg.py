@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+from vmharness.report.escape import printable
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
@@ -58,7 +60,7 @@ def text(figure: "Figure", description: str) -> str:
     drawn = re.sub(r"<[^<>]*>", lambda tag: _rounded(tag[0]), drawn)
     drawn = re.sub(r"[ \t]+\n", "\n", drawn)
     drawn = _numbered(drawn, str(rcParams["svg.hashsalt"]))
-    return drawn.replace("<svg ", f'<svg role="img" aria-label="{_attribute(description)}" ', 1)
+    return printable(drawn).replace("<svg ", f'<svg role="img" aria-label="{_attribute(description)}" ', 1)
 
 
 def _numbered(drawn: str, name: str) -> str:
