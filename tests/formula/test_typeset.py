@@ -2,7 +2,7 @@
 
 import pytest
 
-from vmharness.formula import Formula, FormulaError, Unit, equation
+from vmharness.formula import Formula, FormulaError, Unit, equation, pieces
 
 
 def tidy(latex: str) -> str:
@@ -129,6 +129,23 @@ def test_equation() -> None:
     drawn = equation("x", Formula("a/b"), "-2", Unit("in"), values={"a": "-4", "b": "2"}, notation="mathml")
     assert drawn.startswith('<math display="block"><mrow><mi>x</mi><mo>=</mo><mfrac>')
     assert drawn.count("<mo>=</mo>") == 3
+
+
+def test_pieces_of_an_equation_are_its_steps_and_the_terms_of_their_sums() -> None:
+    formula = Formula("where(a < b, 1, 2) - (a - b) + a*(b + 1)")
+    values = {"a": "3", "b": "-4"}
+    parts = pieces("x", formula, "-15", Unit("mm"), values=values, notation="latex")
+    assert len(parts) == 7
+    assert [part[0] for part in parts] == ["x", "-", "+", "=", "-", "+", "="]
+    assert parts[-1] == r"= -15 \thinspace \mathrm{mm}"
+    assert " ".join(parts) == equation("x", formula, "-15", Unit("mm"), values=values)
+    assert pieces("h", Formula("2"), "2", notation="latex") == ["h = 2"]
+
+
+def test_the_sign_of_a_piece_stands_between_terms() -> None:
+    first, second = pieces("x", Formula("a - b"))
+    assert second == '<math display="block"><mrow><mo form="infix">−</mo><mi>b</mi></mrow></math>'
+    assert first.startswith('<math display="block"><mrow><mi>x</mi><mrow><mo>=</mo>')
 
 
 def test_equation_does_not_repeat_itself() -> None:

@@ -12,6 +12,7 @@ from vmharness.case.check_studies import check_converge, check_sweep, planned
 from vmharness.case.decode import FILE, decode
 from vmharness.case.error import CaseError, printable
 from vmharness.case.files import check_files
+from vmharness.case.prose import check_prose
 from vmharness.case.tautology import check_times
 from vmharness.formula import UnitError, UnitSystem
 
@@ -31,6 +32,7 @@ def read(folder: Path) -> Case:
     checked.all()
     check_converge(checked)
     check_sweep(checked)
+    check_prose(folder)
     theory = evaluate_theory(folder.name, file, checked.values, checked.formulas)
     case = Case(
         id=folder.name,

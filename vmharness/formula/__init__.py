@@ -1,7 +1,7 @@
 """Formulas with units: parsed against a whitelist, checked, evaluated on numbers or arrays, typeset."""
 
 from vmharness.formula.dimension import DIMENSIONLESS, Dimension
-from vmharness.formula.equation import equation
+from vmharness.formula.equation import equation, pieces
 from vmharness.formula.error import FormulaError, UnitError
 from vmharness.formula.formula import Formula
 from vmharness.formula.system import UnitSystem
@@ -16,4 +16,5 @@ __all__ = [
     "UnitError",
     "UnitSystem",
     "equation",
+    "pieces",
 ]

@@ -48,6 +48,10 @@ def sign(text: str) -> str:
     return SIGNS.get(text, text)
 
 
+def infix(text: str) -> str:
+    return sign(text)
+
+
 def negative(operand: str) -> str:
     return "-" + operand
 

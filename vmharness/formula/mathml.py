@@ -22,6 +22,11 @@ def sign(text: str) -> str:
     return f"<mo>{SIGNS.get(text, text)}</mo>"
 
 
+def infix(text: str) -> str:
+    # At the start of a row a browser takes + and - for signs of a number, unless they are said to stand between terms.
+    return f'<mo form="infix">{SIGNS.get(text, text)}</mo>'
+
+
 def negative(operand: str) -> str:
     return row(sign("-"), operand)
 

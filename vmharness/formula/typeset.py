@@ -55,6 +55,15 @@ def typeset(node: Node, to: Notation) -> str:
     raise AssertionError(node)
 
 
+def terms(node: Node, to: Notation) -> list[str]:
+    """The terms of a sum, each after the first with its sign in front; together they are the typeset node."""
+    match node:
+        case Binary("+" | "-" as operator, left, right):
+            before = terms(left, to) if _level(left) == SUM else [_inside(left, SUM, to)]
+            return [*before, to.row(to.infix(operator), _inside(right, PRODUCT, to))]
+    return [typeset(node, to)]
+
+
 def replaced(node: Node, values: Mapping[str, str] | None, symbols: Mapping[str, str] | None) -> Node:
     """The tree with names replaced: by the numbers of `values` (texts), by the names of `symbols`."""
     new: dict[str, Node] = {name: Name(other) for name, other in (symbols or {}).items()}

@@ -3,9 +3,12 @@
 import hashlib
 import io
 import re
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
+
+from vmharness.report.escape import printable
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -24,8 +27,10 @@ STYLE: dict[Any, object] = {
     "grid.color": "#e3e7ea",
     "grid.linewidth": 0.6,
     "axes.unicode_minus": True,
+    "text.parse_math": False,  # a dollar in a label is a dollar
     "svg.fonttype": "none",  # text stays text: searchable, and no outline depends on a font's version
 }
+_TAG = re.compile(r"<[^<>]*>")
 METADATA = dict.fromkeys(["Date", "Creator", "Format", "Type"])
 
 
@@ -37,7 +42,9 @@ def style(name: str) -> Iterator[None]:
     """
     import matplotlib
 
-    with matplotlib.rc_context():
+    with matplotlib.rc_context(), warnings.catch_warnings():
+        # The drawing names its fonts; a browser has others for letters that these do not have.
+        warnings.filterwarnings("ignore", message="Glyph .* missing from font")
         # matplotlib.rcdefaults() does the same, and imports 50 ms of style sheets first.
         defaults = {key: value for key, value in matplotlib.rcParamsDefault.items() if "backend" not in key}
         matplotlib.rcParams.update({**defaults, **STYLE, "svg.hashsalt": name})
@@ -55,18 +62,20 @@ def text(figure: "Figure", description: str) -> str:
     drawn = re.sub(r" *<metadata>.*?</metadata>\n", "", drawn, flags=re.DOTALL)
     drawn = re.sub(r'<g id="[A-Za-z]+[\w.]*_\d+">', "<g>", drawn)  # groups that nothing refers to
     drawn = re.sub(r"<!--.*?-->\n?", "", drawn, flags=re.DOTALL)
-    drawn = re.sub(r"<[^<>]*>", lambda tag: _rounded(tag[0]), drawn)
+    drawn = _TAG.sub(lambda tag: _rounded(tag[0]), drawn)
     drawn = re.sub(r"[ \t]+\n", "\n", drawn)
     drawn = _numbered(drawn, str(rcParams["svg.hashsalt"]))
-    return drawn.replace("<svg ", f'<svg role="img" aria-label="{_attribute(description)}" ', 1)
+    drawn = drawn.replace("<svg ", f'<svg role="img" aria-label="{_attribute(description)}" ', 1)
+    return printable(drawn)
 
 
 def _numbered(drawn: str, name: str) -> str:
     """The drawing with its identifiers numbered: matplotlib's are hashes of coordinates in all their digits."""
     prefix = f"i{hashlib.sha256(name.encode()).hexdigest()[:8]}"
-    names = dict.fromkeys(re.findall(r' id="([^"]+)"', drawn))
+    names = dict.fromkeys(found for tag in _TAG.findall(drawn) for found in re.findall(r' id="([^"]+)"', tag))
     new = {old: f"{prefix}-{number}" for number, old in enumerate(names, 1)}
-    return re.sub(r'( id="|url\(#|href="#)([^")]+)', lambda found: found[1] + new[found[2]], drawn)
+    refer = re.compile(r'( id="|url\(#|href="#)([^")]+)')
+    return _TAG.sub(lambda tag: refer.sub(lambda found: found[1] + new[found[2]], tag[0]), drawn)
 
 
 def _rounded(tag: str) -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 from vmharness import __version__
 from vmharness.events import Event
 from vmharness.formula import Unit
-from vmharness.report import equations, number, prose, wording
+from vmharness.report import equations, escape, number, prose, wording
 from vmharness.report.index import Index
 from vmharness.report.page import Page
 from vmharness.report.templates import render
@@ -118,6 +118,7 @@ def _filters() -> dict[str, Callable[..., str]]:
         "signs": _signs,
         "positional": lambda value, digits=3: _minus(number.positional(value, digits)),
         "fraction": number.fraction,
+        "link": escape.link,
         "unit": lambda text: Unit(text).html() or "–",
     }
 

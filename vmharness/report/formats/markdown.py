@@ -4,7 +4,7 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
-from vmharness.report import equations, number, wording
+from vmharness.report import equations, escape, number, wording
 from vmharness.report.index import Index
 from vmharness.report.page import Page
 from vmharness.report.templates import render
@@ -53,24 +53,14 @@ def _filters() -> dict[str, Callable[..., str]]:
         "decimals": number.decimals,
         "positional": number.positional,
         "fraction": number.fraction,
-        "cell": _cell,
-        "plain": _plain,
+        "code": escape.code,
+        "link": escape.link,
     }
 
 
-def _plain(text: str) -> str:
-    """Text with `<` escaped."""
-    return text.replace("<", "&lt;")
-
-
-def _cell(text: str) -> str:
-    """Text for one cell of a table."""
-    return " ".join(_plain(text).replace("|", "\\|").split())
-
-
 def _relative(path: Path, folder: Path) -> str:
-    """A relative link from `folder`."""
+    """The address of a file, relative to `folder`."""
     try:
-        return Path(os.path.relpath(path, folder)).as_posix()
+        return escape.link(Path(os.path.relpath(path, folder)).as_posix())
     except ValueError:  # another drive
         return path.resolve().as_uri()
