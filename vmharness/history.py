@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import IO, TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -82,11 +82,11 @@ class History:
         columns = {str(name): frame[name].to_numpy(float) for name in frame.columns}
         return cls(frame.index.to_numpy(float), columns)
 
-    def to_csv(self, path: Path) -> None:
+    def to_csv(self, file: Path | IO[str]) -> None:
         """Write all samples with every digit they have, so that `from_csv` gives the same numbers."""
         table = np.column_stack([self.time, *self.channels.values()])
         np.savetxt(
-            path, table, fmt="%.17g", delimiter=",", header=",".join(["time", *self.channels]), comments=""
+            file, table, fmt="%.17g", delimiter=",", header=",".join(["time", *self.channels]), comments=""
         )
 
     @classmethod

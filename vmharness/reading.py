@@ -31,11 +31,20 @@ def readings(case: Case, history: History) -> dict[str, tuple[Reading, ...]]:
 
 
 def states(history: History, interval: float) -> NDArray[np.intp]:
-    """Indices of the samples that are states: the last sample up to each nominal time 0, T, 2T, ..."""
-    nominal = np.arange(0.0, history.time[-1] * (1.0 + 1e-12), interval)
+    """Indices of the samples that are states: the last sample up to each nominal time 0, T, 2T, ...
+
+    Of an interval below the steps every sample is a state.
+    """
+    time = history.time
+    if interval <= np.diff(time).min(initial=np.inf):
+        return np.arange(time.size)
     # The time is accumulated: a cycle after the nominal time by round-off alone still counts.
-    found = np.searchsorted(history.time, nominal + 1e-9 * interval, side="right") - 1
-    return np.unique(found[found >= 0])
+    late = 1e-9 * interval
+    # For each sample the first nominal time not before it: there may be too many nominal times to list.
+    nominal = interval * np.maximum(np.ceil((time - late) / interval), 0.0)
+    following = np.append(time[1:], np.inf)
+    chosen = (nominal + late < following) & (nominal < time[-1] * (1.0 + 1e-12))
+    return np.flatnonzero(chosen)
 
 
 def _column(case: Case, history: History, column: Published, interval: float) -> tuple[Reading, ...]:

@@ -8,7 +8,7 @@ import pytest
 from vmharness.deck import Deck, DeckErrors, read, support, vocabulary
 from vmharness.deck.finding import unsupported
 from vmharness.explicit.build import build, review
-from vmharness.explicit.supported import notes, supported
+from vmharness.explicit.supported import notes, review_cards, supported
 
 Read = Callable[[str], Deck]
 
@@ -105,7 +105,7 @@ def test_output_requests_are_read_and_said(deck: Read) -> None:
         "*DATABASE_NODOUT\n1.0e-4\n*DATABASE_BINARY_D3PLOT\n0.001\n*DATABASE_HISTORY_NODE\n5,6\n"
         "*DATABASE_HISTORY_NODE_ID\n         5the ball, falling\n*DATABASE_EXTENT_BINARY\n\n*CONTROL_ENERGY\n2\n"
     )
-    said = notes(found)
+    said = notes(review_cards(found), {})
     assert len(said) == 6
     assert said[0] == "*DATABASE_NODOUT: asks for output files; no effect on results."
     assert found.one("DATABASE_HISTORY_NODE_ID").heading.tolist() == ["the ball, falling"]

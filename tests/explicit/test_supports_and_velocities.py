@@ -9,6 +9,8 @@ from vmharness.explicit.loop import steps
 NODES = (
     "*NODE\n5,0,0,1\n6,1,0,1\n7,2,0,1\n8,3,0,1\n*ELEMENT_MASS\n105,5,1.0\n106,6,1.0\n107,7,1.0\n108,8,1.0\n"
 )
+SPRING = "*PART\nspring\n9,9,9\n*SECTION_DISCRETE\n9\n\n*MAT_SPRING_ELASTIC\n9,1.0\n"
+STEP = "*CONTROL_TIMESTEP\n0.0,0.9,0,0.0,0.0,9\n*DEFINE_CURVE\n9\n0.0,0.001\n9.0,0.001\n"
 GRAVITY = "*LOAD_BODY_X\n1,1.0\n*LOAD_BODY_Y\n1,1.0\n*LOAD_BODY_Z\n1,1.0\n"
 
 
@@ -66,10 +68,108 @@ def test_exempted_nodes_of_initial_velocity(wall_and):
 
 
 def test_a_free_node_without_mass_is_named(wall_and):
+    loads = "*LOAD_NODE_POINT\n6,3,1,1.0\n7,3,1,1.0\n"
     with pytest.raises(DeckError, match=r"\*NODE: NID = 6: a free node without mass; give it mass"):
-        wall_and(NODES.replace("106,6,1.0\n", ""))
+        wall_and(NODES.replace("106,6,1.0\n", "") + loads)
     with pytest.raises(DeckError, match=r"NID = 6: a free node without mass \(2 such nodes\)"):
-        wall_and(NODES.replace("106,6,1.0\n107,7,1.0\n", ""))
+        wall_and(NODES.replace("106,6,1.0\n107,7,1.0\n", "") + loads)
+
+
+@pytest.mark.parametrize(
+    "more", ["", GRAVITY, "*RIGIDWALL_PLANAR\n0\n0,0,-1,0,0,1\n", "*DAMPING_GLOBAL\n0,3.0\n"]
+)
+def test_a_node_that_belongs_to_nothing_stays_at_rest_and_is_said(wall_and, more):
+    model = wall_and(NODES + "*NODE\n99,5,5,-5\n*INITIAL_VELOCITY\n0\n1.0\n" + more)
+    for _ in steps(model):
+        pass
+    assert model.state.x[8].tolist() == [5, 5, -5]
+    (said,) = [str(finding) for finding in model.idle]
+    assert "*NODE: NID = 99: belongs to no element and has no mass; it stays at rest" in said
+
+
+def test_a_node_of_an_element_without_mass_is_no_node_that_belongs_to_nothing(wall_and):
+    with pytest.raises(DeckError, match="NID = 6: a free node without mass"):
+        wall_and(NODES.replace("106,6,1.0", "106,5,1.0") + "*ELEMENT_DISCRETE\n1,9,5,6\n" + SPRING)
+
+
+@pytest.mark.parametrize(
+    ("ranges", "held"),
+    [("6,6", [5]), ("5,6,8,90", [4, 5, 7]), ("5,6,0,0,8,8", [4, 5, 7]), ("5,6\n0,0\n8,8", [4, 5, 7])],
+)
+def test_ranges_of_nodes(wall_and, ranges, held):
+    text = f"*SET_NODE_LIST_GENERATE\n3\n{ranges}\n*BOUNDARY_SPC_SET\n3,0,1,1,1\n"
+    model = wall_and(NODES + text)
+    assert np.flatnonzero(model.constraints[0].fixed[:, 0])[4:].tolist() == held
+
+
+@pytest.mark.parametrize("ranges", ["0,10,0,30", "8,5", "5,6,8,7", "5", "-3,5", "5,6,,8"])
+def test_a_range_that_is_none_is_refused(wall_and, ranges):
+    text = f"*SET_NODE_LIST_GENERATE\n3\n{ranges}\n*BOUNDARY_SPC_SET\n3,0,1,1,1\n"
+    with pytest.raises(DeckError, match="give the first number, then the last; both are positive"):
+        wall_and(NODES + text)
+
+
+EMPTY_PART = "*PART\nwithout elements\n9,1,1\n*SET_PART_LIST\n5\n9\n"
+EMPTY_SET = "*SET_NODE_LIST_GENERATE\n4\n100,200\n"
+
+
+@pytest.mark.parametrize(
+    ("card", "message"),
+    [
+        ("*BOUNDARY_SPC_SET\n4,0,1,1,1\n", "NSID = 4: node set 4 has no node of the deck"),
+        ("*LOAD_NODE_SET\n4,3,1,1.0\n", "NSID = 4: node set 4 has no node of the deck"),
+        ("*INITIAL_VELOCITY\n4\n1.0\n", "NSID = 4: node set 4 has no node of the deck"),
+        ("*INITIAL_VELOCITY\n0,4\n1.0\n2.0\n", "NSIDEX = 4: node set 4 has no node of the deck"),
+        ("*BOUNDARY_PRESCRIBED_MOTION_SET\n4,3,0,1\n", "NSID = 4: node set 4 has no node of the deck"),
+        ("*RIGIDWALL_PLANAR\n4\n0,0,-1,0,0,1\n", "NSID = 4: node set 4 has no node of the deck"),
+        ("*CONSTRAINED_NODAL_RIGID_BODY\n8,0,4\n", "NSID = 4: node set 4 has no node of the deck"),
+        ("*INITIAL_VELOCITY_GENERATION\n4,3,0.0,1.0\n\n", "ID = 4: node set 4 has no node of the deck"),
+        ("*INITIAL_VELOCITY_GENERATION\n5,1,0.0,1.0\n\n", "ID = 5: names no node"),
+        ("*INITIAL_VELOCITY_GENERATION\n9,2,0.0,1.0\n\n", "ID = 9: names no node"),
+        ("*LOAD_BODY_X\n1\n*LOAD_BODY_PARTS\n5\n", "PSID = 5: no part of the set has elements"),
+        ("*DAMPING_PART_MASS\n9,1\n", "PID = 9: the part has no elements"),
+        ("*DAMPING_PART_STIFFNESS\n9,0.1\n", "PID = 9: the part has no deformable elements"),
+        ("*SET_NODE_GENERAL\n6\nPART,1,9\n*BOUNDARY_SPC_SET\n6,0,1\n", "E2 = 9: no element of the deck"),
+        ("*SET_NODE_GENERAL\n6\nNODE\n*BOUNDARY_SPC_SET\n6,0,1\n", "OPTION = NODE: the numbers that belong"),
+        ("*CONTACT_NODES_TO_SURFACE\n4,1,4,3\n\n\n", "SURFA = 4: node set 4 has no node of the deck"),
+    ],
+)
+def test_a_set_without_members_is_refused_wherever_it_is_used(wall_and, card, message):
+    with pytest.raises(DeckError, match=message):
+        wall_and(NODES + EMPTY_PART + EMPTY_SET + card)
+
+
+def test_a_curve_with_an_offset_is_zero_before_it(wall_and):
+    """A force 2 from t = 0.1 on, on a mass 1: x = (t - 0.1)^2."""
+    text = "*DEFINE_CURVE\n2,0,1.0,1.0,0.1\n0.0,2.0\n1.0,2.0\n*LOAD_NODE_POINT\n6,1,2\n"
+    model = wall_and(NODES + text + STEP, end=0.2)
+    for _ in steps(model):
+        pass
+    assert model.state.t == pytest.approx(0.2)
+    assert model.state.x[5, 0] - 1.0 == pytest.approx(0.01, rel=1e-6)
+
+
+def test_a_prescribed_velocity_with_an_offset_begins_late(wall_and):
+    text = "*DEFINE_CURVE\n2,0,1.0,1.0,0.1\n0.0,3.0\n1.0,3.0\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n6,1,0,2\n"
+    model = wall_and(NODES + text + STEP, end=0.2)
+    for _ in steps(model):
+        pass
+    assert model.state.x[5, 0] - 1.0 == pytest.approx(3.0 * 0.1, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("card", "message"),
+    [
+        (
+            "*CONTROL_TIMESTEP\n0.0,0.9,0,0.0,0.0,2\n",
+            "before OFFA of the curve the largest step would be zero",
+        ),
+        ("*BOUNDARY_PRESCRIBED_MOTION_NODE\n6,1,2,2\n", "a displacement that begins with a jump, 3"),
+    ],
+)
+def test_an_offset_that_makes_no_sense_is_refused(wall_and, card, message):
+    with pytest.raises(DeckError, match=message):
+        wall_and(NODES + "*DEFINE_CURVE\n2,0,1.0,1.0,0.1\n0.0,3.0\n1.0,3.0\n" + card, end=0.2)
 
 
 def test_a_load_curve_scales_in_time_and_must_span_the_run(wall_and):

@@ -68,13 +68,20 @@ class Rows(Card):
     """Lines of the same fields until the block ends: one array a field, one value a line.
 
     With `per_line` = 8 the only field stands 8 times a line, as in lists of ids: one flat array, without the
-    blanks and zeros.
+    blanks and zeros. With `together` = 2 it comes in pairs, and what is left out are pairs of zeros alone.
     """
 
     def __init__(
-        self, first: Mapping[str, Field] | None = None, /, *, per_line: int = 1, **fields: Field
+        self,
+        first: Mapping[str, Field] | None = None,
+        /,
+        *,
+        per_line: int = 1,
+        together: int = 1,
+        **fields: Field,
     ) -> None:
         self.flat = next(iter(fields)) if per_line > 1 else ""
+        self.together = together
         if self.flat:
             fields = {f"{self.flat}{i + 1}": fields[self.flat] for i in range(per_line)}
         super().__init__({**(first or {}), **fields})

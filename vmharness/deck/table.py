@@ -43,7 +43,8 @@ def read_rows(
                 entry.references |= block.references(card, at, parameters, row)
         if isinstance(card, Rows) and card.flat:
             ids = np.stack(columns, axis=1)
-            kept = ids != 0
+            pairs = ids.reshape(len(ids), -1, card.together)
+            kept = (pairs != 0).any(axis=2).repeat(card.together, axis=1)
             if not kept.any():
                 raise block.error("no ids", numbers[0])
             entry.values[card.flat] = ids[kept]

@@ -14,12 +14,12 @@ from vmharness.deck import Deck, DeckError, Entry
 from vmharness.deck.finding import Finding, in_order, refuse_unsupported, unsupported
 from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
-from vmharness.deck.keywords.node import NODE
 from vmharness.explicit.constraints import prescribed_motion, spc
 from vmharness.explicit.contact import build as contacts
 from vmharness.explicit.damping import mass as mass_damping
 from vmharness.explicit.damping import stiffness as stiffness_damping
 from vmharness.explicit.initial import velocity
+from vmharness.explicit.loose_nodes import rest_loose_nodes
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.rigid_bodies import body_numbers
 from vmharness.explicit.rigid import build as rigid_bodies
@@ -30,15 +30,18 @@ from vmharness.explicit.supported import review_cards
 from vmharness.explicit.threads import ncpu
 from vmharness.explicit.timestep import limits, mass_scaling
 from vmharness.explicit.walls import planar
+from vmharness.mesh.histories import history_nodes
 from vmharness.mesh.nodes import nodes_of
 
 
 def build(deck: Deck) -> Model:
     """The model of a deck; raises DeckError for input that is not supported, and for a free node without mass."""
     model, findings = assemble(deck)
-    refuse_unsupported(in_order(deck, findings))
+    findings = in_order(deck, findings)
+    refuse_unsupported(findings)
     if model is None:
         raise AssertionError("a deck without a model has findings")
+    model.idle = findings
     return model
 
 
@@ -63,6 +66,7 @@ def assemble(deck: Deck) -> tuple[Model | None, list[Finding]]:
     for add in passes_of_whole_models():
         if not unsupported(findings):
             attempt(findings, add, deck, model)
+    findings += model.idle
     s = model.state
     model.inverse_mass = np.divide(1.0, s.mass, out=np.zeros_like(s.mass), where=s.mass > 0.0)
     model.inverse_inertia = np.divide(1.0, s.inertia, out=np.zeros_like(s.inertia), where=s.inertia > 0.0)
@@ -96,7 +100,7 @@ def passes_of_whole_models() -> Iterator[Add]:
     yield mass_scaling.build  # after all constraints on nodes, whose velocities it keeps
     yield limits.report_contact_steps  # after mass is scaled: it compares the steps that result
     yield rigid_bodies.build  # last: it moves the mass of each body from its nodes to its centre
-    yield _check_masses
+    yield rest_loose_nodes  # after all that could hold, move or load a node
     yield _check_histories
 
 
@@ -150,25 +154,6 @@ def _nodes(deck: Deck) -> Model:
     )
 
 
-def _check_masses(deck: Deck, model: Model) -> None:
-    """Every free node has mass: otherwise its acceleration would be infinite."""
-    held = np.zeros((model.ids.size, 6), bool)
-    for constraint in model.constraints:
-        held |= constraint.fixed
-    massless = (model.state.mass <= 0.0) & ~held[:, :3].all(axis=1)
-    if not massless.any():
-        return
-    nid = model.ids[np.flatnonzero(massless)[0]]
-    for table in deck.all(NODE):
-        for row in np.flatnonzero(table.nid == nid):
-            others = f" ({massless.sum()} such nodes)" if massless.sum() > 1 else ""
-            raise table.error(
-                "nid", f"a free node without mass{others}; give it mass, or support it", int(row)
-            )
-
-
 def _check_histories(deck: Deck, model: Model) -> None:
     """Every node of *DATABASE_HISTORY_NODE is in the deck."""
-    for keyword, ids in (("DATABASE_HISTORY_NODE", "ids"), ("DATABASE_HISTORY_NODE_ID", "id1")):
-        for table in deck.all(keyword):
-            model.find(table, ids, getattr(table, ids))
+    history_nodes(deck, model)

@@ -1,12 +1,13 @@
 """What the solver supports of the keywords, and what it says of a deck: gathered from the modules that declare it."""
 
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import cache
 from importlib import import_module
 from pkgutil import walk_packages
 
 import vmharness.explicit
-from vmharness.deck import Deck, Entry, support
+from vmharness.deck import Deck, DeckError, Entry, support
 from vmharness.deck.finding import Finding
 from vmharness.deck.support import Supported
 from vmharness.explicit.references.cards import review_references
@@ -38,6 +39,12 @@ def _has_rows(entry: Entry) -> bool:
     )
 
 
-def notes(deck: Deck) -> list[str]:
-    """A sentence for each keyword of the deck that cannot change results."""
-    return support.effects(deck, supported())
+def notes(findings: Iterable[Finding], facts: Mapping[str, str]) -> list[str]:
+    """A sentence for each keyword and field without effect, each once; without those that are among the facts."""
+    told = "; ".join(fact for name, fact in facts.items() if name.startswith("Without effect"))
+    said: dict[str, int] = {}
+    for error in (finding.error for finding in findings if finding.idle):
+        if f"{error.field.upper()} = {error.value} ({error.what})" not in told:
+            sentence = str(DeckError(error.what, "", 0, error.keyword, error.field, error.value))
+            said[sentence] = said.get(sentence, 0) + 1
+    return [sentence + (f" ({count} such cards)" if count > 1 else "") for sentence, count in said.items()]

@@ -28,7 +28,7 @@ def run(job: Job) -> Output:
     except ProbeError as error:
         return Output(None, str(error))
     history, failure, seconds = record(model, probes, job.progress)
-    said = tuple(notes(job.deck))
+    said = tuple(notes(model.idle, model.facts))
     return Output(history, failure, _facts(model, history), model.state.cycle, seconds, said)
 
 

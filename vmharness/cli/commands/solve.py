@@ -1,12 +1,14 @@
 """`vm solve`: run a deck without a case."""
 
+import os
+from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from vmharness.cli.options import solver_option
-from vmharness.cli.say import complain, plain_table, say, say_table
+from vmharness.cli.options import FILE, solver_option
+from vmharness.cli.say import STDOUT, complain, plain_table, say, say_table, write_file
 from vmharness.suite.outcome import EXIT_CODES, Status
 
 if TYPE_CHECKING:
@@ -18,19 +20,32 @@ if TYPE_CHECKING:
 STATES = 1000  # in the file, where the deck does not ask for an interval
 
 
+def _writable(context: click.Context, parameter: click.Parameter, path: Path | None) -> Path | None:
+    """The file, if it can be written; raises BadParameter before anything is solved."""
+    if path is not None and path != STDOUT:
+        if not path.parent.is_dir():
+            raise click.BadParameter(f"there is no folder {path.parent}")
+        if not os.access(path if path.exists() else path.parent, os.W_OK):
+            raise click.BadParameter(f"{path} cannot be written")
+    return path
+
+
 @click.command("solve")
 @click.argument("path", metavar="DECK", type=click.Path(path_type=Path, exists=True, dir_okay=False))
 @solver_option()
 @click.option(
     "--csv",
-    type=click.Path(path_type=Path, dir_okay=False),
-    help="Write energies and nodal motion over time.",
+    type=FILE,
+    metavar="FILE",
+    callback=_writable,
+    help="Write energies and nodal motion over time; - is standard output.",
 )
 def command(path: Path, solver: str, csv: Path | None) -> int:
     """Solve DECK and print its energies.
 
-    The CSV file contains all energies, and the motion of the nodes of *DATABASE_HISTORY_NODE. Its interval is the
-    smaller one of *DATABASE_NODOUT and *DATABASE_GLSTAT; without them, it contains 1000 instants.
+    The CSV file contains all energies, and the motion of the nodes of *DATABASE_HISTORY_NODE, _ID and _SET. Its
+    interval is the smaller one of *DATABASE_NODOUT and *DATABASE_GLSTAT, but not below the time step; without them, the
+    file contains 1000 instants.
     """
     from tempfile import TemporaryDirectory
 
@@ -54,11 +69,10 @@ def command(path: Path, solver: str, csv: Path | None) -> int:
     except ProgramError as error:
         complain(str(error))
         return EXIT_CODES[Status.UNJUDGED]
-    if output.history is not None:
+    if output.history is not None and len(output.history):
         _say(deck, output, output.history)
         if csv:
-            _states(deck, output.history).to_csv(csv)
-            say(f"written: {csv}")
+            _write(deck, output.history, csv)
     if output.failure:
         complain(output.failure)
         return EXIT_CODES[Status.UNJUDGED]
@@ -66,13 +80,14 @@ def command(path: Path, solver: str, csv: Path | None) -> int:
 
 
 def _nodes(deck: "Deck") -> "dict[str, Channel]":
-    """The motion of every node of *DATABASE_HISTORY_NODE."""
+    """The motion of every node of *DATABASE_HISTORY_NODE, _ID and _SET."""
     from vmharness.case.format import Channel
+    from vmharness.mesh.histories import history_nodes
+    from vmharness.mesh.nodes import nodes_of
 
     return {
         f"node {nid} {axis}-{quantity}": Channel(text="", node=nid, component=f"{axis}-{quantity}")
-        for entry in deck.all("DATABASE_HISTORY_NODE")
-        for nid in entry.ids.tolist()
+        for nid in history_nodes(deck, nodes_of(deck))
         for quantity in ("displacement", "velocity")
         for axis in "xyz"
     }
@@ -92,10 +107,16 @@ def _say(deck: "Deck", output: "Output", history: "History") -> None:
     say_table(table)
 
 
-def _states(deck: "Deck", history: "History") -> "History":
-    """The samples at the output interval of the deck."""
+def _write(deck: "Deck", history: "History", path: Path) -> None:
+    """Write the samples at the output interval of the deck."""
     from vmharness.reading import states
 
-    asked = [entry.dt for name in ("NODOUT", "GLSTAT") for entry in deck.all(f"DATABASE_{name}") if entry.dt]
+    asked = [
+        entry.dt for name in ("NODOUT", "GLSTAT") for entry in deck.all(f"DATABASE_{name}") if entry.dt > 0
+    ]
     chosen = states(history, min(asked, default=float(history.time[-1]) / STATES))
-    return history.samples(chosen)
+    text = StringIO()
+    history.samples(chosen).to_csv(text)
+    write_file(path, text.getvalue())
+    if path != STDOUT:
+        say(f"written: {path}")

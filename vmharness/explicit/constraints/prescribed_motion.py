@@ -76,9 +76,9 @@ def build_motion(deck: Deck, model: Model, entry: Entry, rows: Index, number: in
     if entry.death <= entry.birth:
         raise entry.error("death", f"the motion would end before its birth at {entry.birth:g}")
     curve = time_curve(deck, entry, "lcid", min(model.end_time, entry.death) - entry.birth)
-    if entry.vad == DISPLACEMENT and curve(0.0) != 0.0:
+    if entry.vad == DISPLACEMENT and curve.first != 0.0:
         raise entry.error(
-            "lcid", f"a displacement that begins with a jump, {curve(0.0):g}; let it begin at 0"
+            "lcid", f"a displacement that begins with a jump, {curve.first:g}; let it begin at 0"
         )
     name, dof = f"prescribed motion {number}", place(entry)
     motion = PrescribedMotion(name, rows, dof, entry.vad, entry.sf, curve, entry.birth, entry.death)

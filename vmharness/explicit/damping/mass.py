@@ -79,8 +79,10 @@ def _parts(deck: Deck, model: Model, entries: list[Entry]) -> list[Term]:
 
 def _part(deck: Deck, model: Model, entry: Entry) -> Term:
     deck.find(PART, pid=entry.pid, referred_by=(entry, "pid"))
-    curve = time_curve(deck, entry, "lcid", model.end_time)
-    return masses_of_parts(deck, model, {entry.pid}), entry.sf * _factors(entry), curve
+    curve, nodes = time_curve(deck, entry, "lcid", model.end_time), masses_of_parts(deck, model, {entry.pid})
+    if not nodes.size:
+        raise entry.error("pid", "the part has no elements: there is nothing to damp")
+    return nodes, entry.sf * _factors(entry), curve
 
 
 def _shared_node(entry: Entry, model: Model, row: int) -> DeckError:

@@ -42,7 +42,10 @@ def build(deck: Deck, model: Model) -> None:
     """Damp the elements of each part, and limit the step; raises DeckError for elements that cannot be damped."""
     for entry in deck.all(DAMPING_PART_STIFFNESS):
         deck.find(PART, pid=entry.pid, referred_by=(entry, "pid"))
-        for block in [item for item in model.forces if isinstance(item, Elements) and item.pid == entry.pid]:
+        blocks = [item for item in model.forces if isinstance(item, Elements) and item.pid == entry.pid]
+        if not blocks:
+            raise entry.error("pid", "the part has no deformable elements: there is nothing to damp")
+        for block in blocks:
             if not isinstance(block, Dampable):
                 raise entry.error("pid", f"damping of {block.name} by stiffness is not supported")
             if entry.coef:

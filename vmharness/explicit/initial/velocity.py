@@ -79,9 +79,13 @@ def _nodes(deck: Deck, model: Model, entry: Entry) -> Index:
     if entry.styp == NODE_SET:
         return node_set(deck, model, entry, "id")
     if entry.styp == PART_SET:
-        return nodes_of_parts(deck, model, part_set(deck, entry, "id"))
-    deck.find(PART, pid=entry.id, referred_by=(entry, "id"))
-    return nodes_of_parts(deck, model, {entry.id})
+        rows = nodes_of_parts(deck, model, part_set(deck, entry, "id"))
+    else:
+        deck.find(PART, pid=entry.id, referred_by=(entry, "id"))
+        rows = nodes_of_parts(deck, model, {entry.id})
+    if not rows.size:
+        raise entry.error("id", "names no node: no element belongs to it")
+    return rows
 
 
 def _spin(entry: Entry) -> Array:

@@ -67,6 +67,8 @@ def _nodes(deck: Deck, model: Model) -> Index:
         return np.arange(model.ids.size)
     pids = part_set(deck, chosen, "psid")
     nodes = masses_of_parts(deck, model, pids)
+    if not nodes.size:
+        raise chosen.error("psid", "no part of the set has elements: body loads would act on nothing")
     others = nodes_of_parts(deck, model, {part.pid for part in deck.all(PART)} - pids)
     for row in np.intersect1d(nodes, others):
         raise chosen.error("psid", f"node {model.ids[row]} belongs to another part as well; not supported")

@@ -7,6 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
+from vmharness.deck import Finding
 from vmharness.explicit.constraint import Constraint
 from vmharness.explicit.energy import KineticEnergy
 from vmharness.explicit.force import Elements, Force
@@ -31,6 +32,7 @@ class Model(Nodes):
     facts: dict[str, str] = field(
         default_factory=dict
     )  # what building it changed, for the reader of the results
+    idle: list[Finding] = field(default_factory=list)  # what of the deck has no effect
     forces: list[Force] = field(default_factory=list)
     constraints: list[Constraint] = field(default_factory=list)
     inverse_mass: Array = field(default_factory=lambda: np.zeros(0))  # (n,), 0 where a node has none

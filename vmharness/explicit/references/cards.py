@@ -8,6 +8,8 @@ another field says. 0 refers to nothing. Of a set that is used, the members are 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 
+import numpy as np
+
 from vmharness.deck import Deck, DeckError, Entry, Keyword
 from vmharness.deck.finding import Finding, unsupported
 from vmharness.deck.support import Supported
@@ -56,6 +58,7 @@ OTHERS: Mapping[str, Mapping[str, Kind | None]] = {
     "CONSTRAINED_NODAL_RIGID_BODY_INERTIA": {"pid": None},
     "DATABASE_HISTORY_NODE": {"ids": NODES},
     "DATABASE_HISTORY_NODE_ID": {"id1": NODES},
+    "DATABASE_HISTORY_NODE_SET": {"ids": NODE_SETS},
     "ELEMENT_MASS": {"pid": None},  # is not used
     "LOAD_SEGMENT": FOUR_NODES,
 }
@@ -100,7 +103,7 @@ def _missing(deck: Deck, supported: Supported) -> Iterator[DeckError]:
         for name, kind in _references(entry):
             yield from defined.missing(entry, name, kind, zero=entry.keyword in kinds())
             if kind in used:
-                used[kind].add(entry.values[name])
+                used[kind].update(np.atleast_1d(entry.values[name]).tolist())
     for kind, members in MEMBERS.items():
         for entry in deck.all(*kind.keywords) if used[kind] else ():
             for name in members if entry.sid in used[kind] else ():

@@ -6,7 +6,7 @@ on the _INERTIA cards, zeros too; or that of *INITIAL_VELOCITY_RIGID_BODY.
 
 import numpy as np
 
-from vmharness.deck import Deck, Entry
+from vmharness.deck import Deck, Entry, Finding
 from vmharness.deck.keywords.initial.velocity_rigid_body import INITIAL_VELOCITY_RIGID_BODY
 from vmharness.deck.rule import only
 from vmharness.deck.support import supports
@@ -32,6 +32,8 @@ def body_velocities(
             pair = _vector(entry, "vx", "vy", "vz"), _vector(entry, "vxr", "vyr", "vzr")
         elif body.inertia_given:
             pair = _vector(body.entry, "vtx", "vty", "vtz"), _vector(body.entry, "vrx", "vry", "vrz")
+            if s.v[rows].any() or s.omega[rows].any():
+                model.idle.append(_overruled(body))
         else:
             pair = nearest_rigid_motion(
                 model.x0[rows], s.v[rows], s.omega[rows], s.mass[rows], s.inertia[rows], one.centre
@@ -56,6 +58,12 @@ def nearest_rigid_motion(
     momentum = np.cross(x - inertia.centre, weight[:, None] * v).sum(axis=0) + rotary @ omega
     spin = np.linalg.pinv(inertia.tensor, rcond=1e-12, hermitian=True) @ momentum
     return linear + np.cross(spin, at - inertia.centre), spin
+
+
+def _overruled(body: RigidBody) -> Finding:
+    """What there is to say of initial velocities that the nodes of a body have, and the body has not."""
+    what = "overrules the *INITIAL_VELOCITY cards for the nodes of this rigid body; a blank card is zero velocity"
+    return Finding(body.entry.error("vtx", what), idle=True)
 
 
 def _vector(entry: Entry, *names: str) -> Array:

@@ -28,6 +28,8 @@ def add_caps(deck: Deck, model: Model) -> None:
         model.caps.append(lambda t: first if t == 0.0 else math.inf)
     if control.lctm:
         curve = time_curve(deck, control, "lctm", model.end_time)
+        if curve.late:
+            raise control.error("lctm", "before OFFA of the curve the largest step would be zero")
         if not (curve.ordinate > 0.0).all():
             raise control.error("lctm", "the largest step must be positive")
         model.caps.append(curve)

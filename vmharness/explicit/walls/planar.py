@@ -93,11 +93,12 @@ def _friction(entry: Entry) -> float:
 
 
 def _nodes(deck: Deck, model: Model, entry: Entry, face: Array, ruled: Flags, rigid: Flags) -> Index:
-    """Rows of the nodes of NSID (0: all) without NSIDEX, within OFFSET, that are free to move along the normal.
+    """Rows of the nodes with mass of NSID (0: all) without NSIDEX, within OFFSET, that may move along the normal.
 
     `ruled` (n, 3): displacements ruled by another constraint; `rigid` (n,): nodes of rigid bodies.
     """
     nodes = node_set(deck, model, entry, "nsid") if entry.nsid else np.arange(model.node_count)
+    nodes = nodes[(model.state.mass[nodes] > 0.0) | rigid[nodes]]
     if entry.nsidex:
         nodes = np.setdiff1d(nodes, node_set(deck, model, entry, "nsidex"))
     if entry.offset > 0.0:

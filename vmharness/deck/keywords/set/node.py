@@ -27,7 +27,7 @@ SET_NODE_LIST = Keyword(
 SET_NODE_LIST_GENERATE = Keyword(
     "SET_NODE_LIST_GENERATE",
     HEAD,
-    Rows(per_line=8, ranges=integer(0)),  # first, last, first, last, ...
+    Rows(per_line=8, together=2, ranges=integer(0)),  # first, last, first, last, ...
     options=("TITLE",),
     unique="sid",
     kind="node set",
