@@ -25,7 +25,7 @@ REACH = 1.01  # so that round-off does not hide a node that begins to move from 
 @uncounted
 def cycle(
     # model
-    mass: Array, segments: Records, first: Index, neighbours: Index, rows: Index,
+    mass: Array, segments: Records, first: Index, neighbours: Index, own: Index, rows: Index,
     # candidates
     candidate_first: Index, candidates: Index, sorted_now: bool,
     # motion
@@ -56,13 +56,26 @@ def cycle(
         node = nodes[t]
         if (node["settled"] or node["count"] == 0) and node["clearance"] > travel and not sorted_now:
             continue
-        own, maxpar = states[:, t], parameters["maxpar"]
-        if track_all(segments, first, neighbours, maxpar, x, v, dt, node, own, account) or sorted_now:
+        active, maxpar = states[:, t], parameters["maxpar"]
+        if track_all(segments, first, neighbours, own, maxpar, x, v, dt, node, active, account) or sorted_now:
             node["clearance"] = 0.0
         if node["clearance"] <= travel:
             near = candidates[candidate_first[t] : candidate_first[t + 1]]
             node["clearance"] = travel + detect(
-                mass, segments, first, neighbours, near, parameters, x, v, dt, step, node, own, account
+                mass,
+                segments,
+                first,
+                neighbours,
+                near,
+                own,
+                parameters,
+                x,
+                v,
+                dt,
+                step,
+                node,
+                active,
+                account,
             )
     for t in range(nodes.size):
         for k in range(nodes[t]["count"]):
@@ -74,7 +87,7 @@ def cycle(
 @inlined
 def track_all(
     # model
-    segments: Records, first: Index, neighbours: Index, maxpar: float,
+    segments: Records, first: Index, neighbours: Index, own: Index, maxpar: float,
     # motion
     x: Array, v: Array, dt: float,
     # updated
@@ -84,7 +97,7 @@ def track_all(
     changed, k = False, 0
     while k < node["count"]:
         segment = states[k]["segment"]
-        if track(segments, first, neighbours, maxpar, x, node, states, k):
+        if track(segments, first, neighbours, own, maxpar, x, node, states, k):
             changed = changed or states[k]["segment"] != segment
             k += 1
         else:

@@ -27,7 +27,7 @@ BEHIND = 0.01  # of the change of the gap: a node that was behind by no more at 
 @uncounted
 def detect(
     # model
-    mass: Array, segments: Records, first: Index, neighbours: Index, candidates: Index, parameters: Record,
+    mass: Array, segments: Records, first: Index, neighbours: Index, candidates: Index, own: Index, parameters: Record,
     # motion; `step` bounds the relative motion within the step
     x: Array, v: Array, dt: float, step: float,
     # updated
@@ -60,7 +60,7 @@ def detect(
             if side != 0.0 and node["count"] == MAX_CONTACTS:
                 full = True
             elif side != 0.0 and activate(
-                segments, first, neighbours, maxpar, x, s, side, xi, eta, node, states
+                segments, first, neighbours, own, maxpar, x, s, side, xi, eta, node, states
             ):
                 new = states[node["count"] - 1]
                 if ignore:
@@ -98,7 +98,7 @@ def is_continuation(
 @uncounted
 def activate(
     # model
-    segments: Records, first: Index, neighbours: Index, maxpar: float,
+    segments: Records, first: Index, neighbours: Index, own: Index, maxpar: float,
     # motion, new contact point
     x: Array, s: int, side: float, xi: float, eta: float,
     # updated
@@ -112,7 +112,7 @@ def activate(
     for j in range(3):
         state["slip"][j] = 0.0
         state["force"][j] = 0.0
-    found = track(segments, first, neighbours, maxpar, x, node, states, k)
+    found = track(segments, first, neighbours, own, maxpar, x, node, states, k)
     if found:
         node["count"] += 1
     return bool(found)

@@ -118,6 +118,20 @@ def nodal_area(every: ContactFaces, x: Array, tracked: Index) -> Array:
     return np.where(total[tracked] > 0.0, total[tracked], np.inf)
 
 
+def faces_at(every: ContactFaces, tracked: Index) -> tuple[Index, Index]:
+    """The outer faces at each tracked node: faces[first[t] : first[t + 1]] (n, 4); those of shells also turned over."""
+    outer = every.only(exterior(every))
+    nodes = np.concatenate([outer.nodes, outer.nodes[outer.shell][:, [0, 3, 2, 1]]])
+    place = np.full(nodes.max(initial=tracked.max(initial=-1)) + 1, -1)
+    place[tracked] = np.arange(tracked.size)
+    distinct = np.ones(nodes.shape, bool)
+    distinct[:, 3] = nodes[:, 2] != nodes[:, 3]
+    face, corner = np.nonzero((place[nodes] >= 0) & distinct)
+    at = place[nodes[face, corner]]
+    order = np.argsort(at, kind="stable")
+    return nodes[face[order]], np.searchsorted(at[order], np.arange(tracked.size + 1))
+
+
 def _largest(every: ContactFaces, values: Array, nodes: int) -> Array:
     largest = np.zeros(nodes)
     np.maximum.at(largest, every.nodes, values[:, None])
