@@ -26,8 +26,6 @@ from vmharness.explicit.kernels.vector import (
 )
 from vmharness.explicit.state import Array
 
-SHARP = 0.5  # cosine of the angle by which the normal turns at a sharp edge, in one step
-
 
 @uncounted
 def friction_force(
@@ -82,19 +80,6 @@ def return_to_cone(slip: Vector, increment: Vector, k: float, most: float) -> tu
 def tangential(a: Vector, n: Vector) -> Vector:
     """a - (a . n) n."""
     return subtract(a, scale(dot(a, n), n))
-
-
-@inlined
-def turn_slip(state: Record, n: Vector) -> None:
-    """Turn the stretch of the spring with the contact normal, where that jumps over a sharp edge to n.
-
-    With the smallest rotation that brings the old normal m to n, s becomes s - s.n / (1 + m.n) (m + n).
-    """
-    m, slip = vector_of(state["normal"]), vector_of(state["slip"])
-    cosine = dot(m, n)
-    if abs(cosine) < SHARP and dot(slip, slip) > 0.0:
-        slip = subtract(slip, scale(dot(slip, n) / (1.0 + cosine), add(m, n)))
-        state["slip"][0], state["slip"][1], state["slip"][2] = slip
 
 
 @inlined

@@ -3,16 +3,14 @@
 import numpy as np
 
 from vmharness.explicit.contact.geometry import at, centre
-from vmharness.explicit.contact.projection import project_node
-from vmharness.explicit.contact.records import Record, Records
-from vmharness.explicit.contact.ridge import crosses_ridge, midpoint
+from vmharness.explicit.contact.projection import midpoint, project_node
+from vmharness.explicit.contact.records import Record, Records, is_active
 from vmharness.explicit.contact.search import has_corner
 from vmharness.explicit.kernels.compiled import kernel, uncounted
 from vmharness.explicit.kernels.vector import Vector, dot, inlined, subtract
 from vmharness.explicit.state import Array, Index
 
 SMOOTH = 0.5  # cosine between normals of segments that are one surface, and between these and the way to a common edge
-TAKEN = -2  # the node has another contact with the segment that would take it over
 SAME = 1e-9  # of a distance: the point on a common border is equally near from both sides
 
 
@@ -59,11 +57,11 @@ def find_neighbours(nodes: Index) -> tuple[Index, Index]:
 @uncounted
 def nearest_neighbour(
     # model
-    segments: Records, first: Index, neighbours: Index, own: Index, maxpar: float,
+    segments: Records, first: Index, neighbours: Index,
     # node, and its contact with segment s
     x: Array, node: Record, states: Records, s: int, side: float, out: float, away: Vector, n: Vector,
 ) -> tuple[int, float, bool]:  # fmt: skip
-    """Find the neighbour that is nearer to the node than segment s; -1 where none is, TAKEN where s has to end.
+    """Find the neighbour that is nearer to the node than segment s, or -1 where none is.
 
     Return it, the factor of the side (-1 where sides are exchanged), and whether s and a neighbour share the closest
     point behind a valley. Of neighbours that share the point, the one is taken whose normal the node is most squarely
@@ -71,28 +69,22 @@ def nearest_neighbour(
     """
     p, best, best_turn, shared, least = at(x, node["row"]), -1, 1.0, False, dot(away, away)
     height = side * dot(away, n)
-    squarest = here = -height / max(least, 1e-300) ** 0.5
+    squarest = own = -height / max(least, 1e-300) ** 0.5
     for e in range(first[s], first[s + 1]):
         q = neighbours[e]
-        if has_corner(segments[q], node["row"]):
+        if has_corner(segments[q], node["row"]) or is_active(states, q, node["count"]):
             continue
         xi, eta = centre(segments[q]["triangle"])
         _, _, _, other, m = project_node(x, segments[q], p, xi, eta)
-        nearer = dot(other, other) < (1.0 - SAME) * dot(away, away)
-        ridge = nearer and crosses_ridge(x, segments[s], segments[q], own, maxpar, node, height, n, other, m)
-        if is_active(states, q, node["count"]):
-            if ridge:
-                return TAKEN, 1.0, False
-            continue
-        turn = 1.0 if ridge else connection(x, segments[s], segments[q], side, height, out, n, m, other)
+        turn = connection(x, segments[s], segments[q], side, height, out, n, m, other)
         if turn == 0.0:
             continue
         square = dot(other, other)
         behind = -side * turn * dot(other, m) / max(square, 1e-300) ** 0.5
         common = square <= (1.0 + SAME) * dot(away, away)
         # along the mean of the normals
-        between = (here + behind) / max(2.0 + 2.0 * turn * dot(n, m), 1e-300) ** 0.5
-        shared = shared or (common and max(behind, here, between) >= SMOOTH)
+        between = (own + behind) / max(2.0 + 2.0 * turn * dot(n, m), 1e-300) ** 0.5
+        shared = shared or (common and max(behind, own, between) >= SMOOTH)
         if square < (1.0 - SAME) * least or (square <= (1.0 + SAME) * least and behind > squarest + SAME):
             best, best_turn, least, squarest = q, turn, square, behind
     return best, best_turn, shared
@@ -119,12 +111,3 @@ def connection(
         turn = -side if dot(between, m) > 0.0 else side
         return turn if side * dot(between, n) > 0.0 and (two_sided or turn > 0.0) else 0.0
     return 0.0
-
-
-@inlined
-def is_active(states: Records, s: int, count: int) -> bool:
-    """Whether one of the first `count` contacts of a node is with segment s."""
-    found = False
-    for k in range(count):
-        found = found or states[k]["segment"] == s
-    return found

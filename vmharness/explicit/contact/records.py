@@ -101,6 +101,15 @@ def vector_of(field: Array) -> Vector:
 
 
 @inlined
+def is_active(states: Records, s: int, count: int) -> bool:
+    """Whether one of the first `count` contacts of a node is with segment s."""
+    found = False
+    for k in range(count):
+        found = found or states[k]["segment"] == s
+    return found
+
+
+@inlined
 def write(state: Record, s: int, side: float, xi: float, eta: float, n: Vector, gap: float) -> None:
     """Store segment, contact point, normal and gap of a contact at t_n."""
     state["segment"], state["side"], state["xi"], state["eta"], state["gap"] = s, side, xi, eta, gap

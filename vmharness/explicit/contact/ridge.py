@@ -5,16 +5,21 @@ sharp edge that leads. Such a node has passed through the leading face, but the 
 and opposes the node's own surface; that face takes the node over. The contact force stays the gradient of k g^2/2 with
 g the least of the depths, and does no work on a closed path.
 
-The condition on the node's own surface keeps a node in place that rests at the edge of a body, such as a corner of one of
-two blocks that are stacked flush: its surface does not oppose the side of the block below. A node without a surface of
-its own, such as a mass or the end of a beam, moves over the ridge where it is deeper than the segment extends beyond its
-border (MAXPAR).
+The condition on the node's own surface keeps a node in place that rests at the edge of a body, such as a corner of one
+of two blocks that are stacked flush: its surface does not oppose the side of the block below. A node without a surface
+of its own, such as a mass or the end of a beam, moves over the ridge where it is deeper than the segment extends beyond
+its border (MAXPAR).
+
+A node whose surface opposes the other side alone moves there at once if it has come through the leading face within the
+last step: that face would otherwise stop it with its damper, at the speed of sliding.
 """
 
-from vmharness.explicit.contact.geometry import centre, corners, interpolate, shape, size
-from vmharness.explicit.contact.records import Record
+from vmharness.explicit.contact.geometry import at, centre, corners, size
+from vmharness.explicit.contact.projection import midpoint, project_node
+from vmharness.explicit.contact.records import Record, Records
+from vmharness.explicit.contact.search import has_corner
 from vmharness.explicit.kernels.compiled import uncounted
-from vmharness.explicit.kernels.vector import Vector, cross, dot, inlined, subtract, unit
+from vmharness.explicit.kernels.vector import Vector, cross, dot, subtract, unit
 from vmharness.explicit.state import Array, Index
 
 OPPOSED = -0.5  # cosine between the normals of surfaces that face each other, at most
@@ -22,35 +27,49 @@ SHARP = 0.5  # cosine between the normals of segments at a ridge, at most
 
 
 @uncounted
-def crosses_ridge(
+def over_ridge(
     # model
-    x: Array, segment: Record, other: Record, own: Index, maxpar: float,
-    # node, its height over `segment`, which is farther than the other
-    node: Record, height: float, n: Vector,
-    # projection on `other`: p - r, normal
-    away: Vector, m: Vector,
-) -> bool:  # fmt: skip
-    """Whether a contact moves on from a segment over a ridge to the other, behind which the node is too."""
-    if segment["two_sided"] or other["two_sided"] or height >= 0.0:
-        return False
-    convex = dot(subtract(midpoint(x, other), midpoint(x, segment)), n) < 0.0
-    if dot(n, m) >= SHARP or dot(away, m) >= 0.0 or not convex:
-        return False
-    if node["own_from"] == node["own_to"]:
-        return bool(-height > 0.5 * (maxpar - 1.0) * size(corners(x, segment["nodes"])))
-    return bool(faces(own, x, node, m))
-
-
-@inlined
-def midpoint(x: Array, segment: Record) -> Vector:
-    """The point at the centre of a segment."""
-    xi, eta = centre(segment["triangle"])
-    return interpolate(corners(x, segment["nodes"]), shape(segment["triangle"], xi, eta))
+    segments: Records, first: Index, neighbours: Index, own: Index, maxpar: float,
+    # node, and its contact with segment s, in which the node has come `reach` deep in this step
+    x: Array, node: Record, s: int, height: float, n: Vector, reach: float,
+) -> int:  # fmt: skip
+    """Find the nearest segment that takes a node over from segment s across a ridge, or -1."""
+    segment, best = segments[s], -1
+    if height >= 0.0 or segment["two_sided"]:
+        return best
+    p, least = at(x, node["row"]), max(height * height, reach * reach)
+    for e in range(first[s], first[s + 1]):
+        q = neighbours[e]
+        other = segments[q]
+        towards = subtract(midpoint(x, other), midpoint(x, segment))
+        if other["two_sided"] or dot(towards, n) >= 0.0 or has_corner(other, node["row"]):
+            continue
+        xi, eta = centre(other["triangle"])
+        _, _, _, away, m = project_node(x, other, p, xi, eta)
+        if dot(n, m) >= SHARP or dot(away, m) >= 0.0 or dot(away, away) >= least:
+            continue
+        if belongs(own, maxpar, x, node, segment, height, n, m, dot(away, away)):
+            best, least = q, dot(away, away)
+    return best
 
 
 @uncounted
-def faces(own: Index, x: Array, node: Record, m: Vector) -> bool:
-    """Whether the node's own surface is opposed to a segment with the normal m."""
+def belongs(
+    # model
+    own: Index, maxpar: float, x: Array,
+    # node, its contact with `segment`, and another segment: normal, distance squared
+    node: Record, segment: Record, height: float, n: Vector, m: Vector, square: float,
+) -> bool:  # fmt: skip
+    """Whether a node that is behind both belongs to the other segment rather than to `segment`."""
+    nearer = square < height * height
+    if node["own_from"] == node["own_to"]:
+        return nearer and -height > 0.5 * (maxpar - 1.0) * size(corners(x, segment["nodes"]))
+    return opposes(own, x, node, m) and (nearer or not opposes(own, x, node, n))
+
+
+@uncounted
+def opposes(own: Index, x: Array, node: Record, m: Vector) -> bool:
+    """Whether a face of the node's own surface is opposed to a segment with the normal m."""
     for i in range(node["own_from"], node["own_to"]):
         c = corners(x, own[i])
         across = unit(cross(subtract(c[2], c[0]), subtract(c[3], c[1])))

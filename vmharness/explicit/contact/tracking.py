@@ -13,37 +13,47 @@ the thicknesses, is in contact with the edge itself, which is round.
 
 import numpy as np
 
-from vmharness.explicit.contact.friction import turn_slip
 from vmharness.explicit.contact.geometry import at, beyond, centre, corners, tangents
-from vmharness.explicit.contact.neighbours import TAKEN, nearest_neighbour
+from vmharness.explicit.contact.neighbours import nearest_neighbour
 from vmharness.explicit.contact.projection import half_thickness, height_over, is_inside, project_node
-from vmharness.explicit.contact.records import Record, Records, write
+from vmharness.explicit.contact.records import Record, Records, is_active, write
+from vmharness.explicit.contact.ridge import over_ridge
 from vmharness.explicit.kernels.vector import Vector, dot, inlined, scale
 from vmharness.explicit.state import Array, Index
 
 MAX_CROSSINGS = 4  # borders crossed in one step
+HELD, ENDED = -1, -2  # the contact goes on; it has ended
 
 
 @inlined
 def track(
     # model
     segments: Records, first: Index, neighbours: Index, own: Index, maxpar: float,
+    # motion; how far a new contact has come in this step
+    x: Array, reach: float,
     # node, and which of its contacts; updated
-    x: Array, node: Record, states: Records, k: int,
-) -> bool:  # fmt: skip
-    """Update segment, contact point, normal and gap of contact k of a node at t_n; return False where contact ends."""
+    node: Record, states: Records, k: int,
+) -> int:  # fmt: skip
+    """Update segment, contact point, normal and gap of contact k of a node at t_n.
+
+    Return HELD; or ENDED; or the segment beyond a ridge that takes the node over, where this contact ends.
+    """
     state, p = states[k], at(x, node["row"])
     s, side, xi, eta = state["segment"], state["side"], state["xi"], state["eta"]
     shared = False
     xi, eta, out, away, n = project_node(x, segments[s], p, xi, eta)
     for crossing in range(MAX_CROSSINGS):
-        if is_inside(out, tangent_square(x, segments[s], xi, eta), away):
+        inside = is_inside(out, tangent_square(x, segments[s], xi, eta), away)
+        if not inside or reach > 0.0:
+            height = side * dot(away, n)
+            across = over_ridge(segments, first, neighbours, own, maxpar, x, node, s, height, n, reach)
+            if across >= 0:
+                return ENDED if is_active(states, across, node["count"]) else across
+        if inside:
             break
         other, turn, shared = nearest_neighbour(
-            segments, first, neighbours, own, maxpar, x, node, states, s, side, out, away, n
+            segments, first, neighbours, x, node, states, s, side, out, away, n
         )
-        if other == TAKEN:
-            return False
         if other < 0:
             break
         s, side = other, side * turn
@@ -68,17 +78,16 @@ def track(
         if out > 0.0:
             xi, eta, out, height, n = project_on_continuation(x, segment, p, xi, eta, side)
             if out > maxpar - 1.0:
-                return False
+                return ENDED
         n = scale(side, n)
     gap = height - half_thickness(node, segment)
     if -gap > segment["release"]:
         node["released"] = True
-        return False
+        return ENDED
     if gap >= 0.0:
-        return False
-    turn_slip(state, n)
+        return ENDED
     write(state, s, side, xi, eta, n, gap)
-    return True
+    return HELD
 
 
 @inlined
