@@ -11,7 +11,8 @@ of its own, such as a mass or the end of a beam, moves over the ridge where it i
 its border (MAXPAR).
 
 A node whose surface opposes the other side alone moves there at once if it has come through the leading face within the
-last step: that face would otherwise stop it with its damper, at the speed of sliding.
+last step: that face would otherwise stop it with its damper, at the speed of sliding. While such a node is still in
+front of the other side, it is outside the body, and has no contact with the leading face.
 """
 
 from vmharness.explicit.contact.geometry import at, centre, corners, size
@@ -24,6 +25,7 @@ from vmharness.explicit.state import Array, Index
 
 OPPOSED = -0.5  # cosine between the normals of surfaces that face each other, at most
 SHARP = 0.5  # cosine between the normals of segments at a ridge, at most
+NONE, OUTSIDE = -1, -2  # no segment takes the node over; it is in front of the one that would
 
 
 @uncounted
@@ -33,8 +35,8 @@ def over_ridge(
     # node, and its contact with segment s, in which the node has come `reach` deep in this step
     x: Array, node: Record, s: int, height: float, n: Vector, reach: float,
 ) -> int:  # fmt: skip
-    """Find the nearest segment that takes a node over from segment s across a ridge, or -1."""
-    segment, best = segments[s], -1
+    """Find the nearest segment that takes a node over from segment s across a ridge, or NONE, or OUTSIDE."""
+    segment, best = segments[s], NONE
     if height >= 0.0 or segment["two_sided"]:
         return best
     p, least = at(x, node["row"]), max(height * height, reach * reach)
@@ -46,9 +48,14 @@ def over_ridge(
             continue
         xi, eta = centre(other["triangle"])
         _, _, _, away, m = project_node(x, other, p, xi, eta)
-        if dot(n, m) >= SHARP or dot(away, m) >= 0.0 or dot(away, away) >= least:
+        if dot(n, m) >= SHARP:
             continue
-        if belongs(own, maxpar, x, node, segment, height, n, m, dot(away, away)):
+        if dot(away, m) >= 0.0:
+            if opposes(own, x, node, m) and not opposes(own, x, node, n):
+                return OUTSIDE
+        elif dot(away, away) < least and belongs(
+            own, maxpar, x, node, segment, height, n, m, dot(away, away)
+        ):
             best, least = q, dot(away, away)
     return best
 

@@ -17,7 +17,7 @@ from vmharness.explicit.contact.geometry import at, beyond, centre, corners, tan
 from vmharness.explicit.contact.neighbours import nearest_neighbour
 from vmharness.explicit.contact.projection import half_thickness, height_over, is_inside, project_node
 from vmharness.explicit.contact.records import Record, Records, is_active, write
-from vmharness.explicit.contact.ridge import over_ridge
+from vmharness.explicit.contact.ridge import OUTSIDE, over_ridge
 from vmharness.explicit.kernels.vector import Vector, dot, inlined, scale
 from vmharness.explicit.state import Array, Index
 
@@ -47,8 +47,10 @@ def track(
         if not inside or reach > 0.0:
             height = side * dot(away, n)
             across = over_ridge(segments, first, neighbours, own, maxpar, x, node, s, height, n, reach)
+            if across == OUTSIDE or (across >= 0 and is_active(states, across, node["count"])):
+                return ENDED
             if across >= 0:
-                return ENDED if is_active(states, across, node["count"]) else across
+                return across
         if inside:
             break
         other, turn, shared = nearest_neighbour(
