@@ -11,10 +11,10 @@ from vmharness.explicit.contact.records import Segments, Tracked
 from vmharness.explicit.contact.surface.choice import faces_of_surface, lies_behind, nodes_of_surface, reverse
 from vmharness.explicit.contact.surface.faces import (
     ContactFaces,
-    faces_at,
     nodal_area,
     nodal_penalty,
     nodal_thickness,
+    own_faces,
 )
 from vmharness.explicit.contact.thickness import capped, contact_thickness, release_depth
 from vmharness.explicit.model.model import Model
@@ -51,7 +51,7 @@ class Sides:
         if self.control["penopt"] == SEGMENTS_STIFFNESS:
             penalty = np.full(nodes.size, np.inf)
         thickness = nodal_thickness(self.every, self._thickness(side, self.every), nodes, count)
-        faces, first_face = faces_at(self.every, nodes)
+        faces, first_face = own_faces(self.every, nodes)
         return Tracked(nodes, penalty, thickness, nodal_area(self.every, x, nodes), faces, first_face)
 
     def segments(self, side: str, faces: ContactFaces, opposite: Index) -> Segments:

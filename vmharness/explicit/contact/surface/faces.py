@@ -118,11 +118,15 @@ def nodal_area(every: ContactFaces, x: Array, tracked: Index) -> Array:
     return np.where(total[tracked] > 0.0, total[tracked], np.inf)
 
 
-def faces_at(every: ContactFaces, tracked: Index) -> tuple[Index, Index]:
-    """The outer faces at each tracked node: faces[first[t] : first[t + 1]] (n, 4); those of shells also turned over."""
+def own_faces(every: ContactFaces, tracked: Index) -> tuple[Index, Index]:
+    """The outer faces at each tracked node, as `faces_at` gives them; those of shells also turned over."""
     outer = every.only(exterior(every))
-    nodes = np.concatenate([outer.nodes, outer.nodes[outer.shell][:, [0, 3, 2, 1]]])
-    place = np.full(nodes.max(initial=tracked.max(initial=-1)) + 1, -1)
+    return faces_at(np.concatenate([outer.nodes, outer.nodes[outer.shell][:, [0, 3, 2, 1]]]), tracked)
+
+
+def faces_at(nodes: Index, tracked: Index) -> tuple[Index, Index]:
+    """Of faces with `nodes` (n, 4), those at each tracked node t: found[first[t] : first[t + 1]] (m, 4)."""
+    place = np.full(max(nodes.max(initial=-1), tracked.max(initial=-1)) + 1, -1)
     place[tracked] = np.arange(tracked.size)
     distinct = np.ones(nodes.shape, bool)
     distinct[:, 3] = nodes[:, 2] != nodes[:, 3]
