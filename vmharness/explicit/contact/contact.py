@@ -82,6 +82,7 @@ class OneWay:
         # Row k has contact k of each node: the first contacts of all nodes lie side by side.
         self.states = np.zeros((MAX_CONTACTS, tracked.nodes.size), CONTACT_STATE)
         self.first, self.neighbours = find_neighbours(np.ascontiguousarray(segments.nodes))
+        self.own = np.ascontiguousarray(tracked.faces)
         self.candidate_first, self.candidates = (
             np.zeros(tracked.nodes.size + 1, np.intp),
             np.zeros(0, np.intp),
@@ -100,7 +101,7 @@ class OneWay:
 
     def _cycle(self, s: State, sorted_now: bool) -> bool:
         return cycle(
-            s.lumped, self.segments, self.first, self.neighbours, self.rows,
+            s.lumped, self.segments, self.first, self.neighbours, self.own, self.rows,
             self.candidate_first, self.candidates, sorted_now,
             s.x, s.v, s.a, s.dt,
             s.f, self.nodes, self.states, self.parameters, self.account,

@@ -8,12 +8,12 @@ before the motion can have used that up.
 
 import numpy as np
 
-from vmharness.explicit.contact.detection import detect
-from vmharness.explicit.contact.energy import account_release, add_half_work
+from vmharness.explicit.contact.detection import activate, detect
+from vmharness.explicit.contact.energy import account_activation, account_release, add_half_work
 from vmharness.explicit.contact.force import add_contact_force
-from vmharness.explicit.contact.geometry import at
+from vmharness.explicit.contact.geometry import at, centre
 from vmharness.explicit.contact.records import FORCE, Record, Records
-from vmharness.explicit.contact.tracking import track
+from vmharness.explicit.contact.tracking import HELD, track
 from vmharness.explicit.contact.tracking_simd import track_settled
 from vmharness.explicit.kernels.compiled import uncounted
 from vmharness.explicit.kernels.vector import Vector, dot, inlined, subtract
@@ -25,7 +25,7 @@ REACH = 1.01  # so that round-off does not hide a node that begins to move from 
 @uncounted
 def cycle(
     # model
-    mass: Array, segments: Records, first: Index, neighbours: Index, rows: Index,
+    mass: Array, segments: Records, first: Index, neighbours: Index, own: Index, rows: Index,
     # candidates
     candidate_first: Index, candidates: Index, sorted_now: bool,
     # motion
@@ -56,14 +56,17 @@ def cycle(
         node = nodes[t]
         if (node["settled"] or node["count"] == 0) and node["clearance"] > travel and not sorted_now:
             continue
-        own, maxpar = states[:, t], parameters["maxpar"]
-        if track_all(segments, first, neighbours, maxpar, x, v, dt, node, own, account) or sorted_now:
+        active = states[:, t]
+        moved = track_all(mass, segments, first, neighbours, own, parameters, x, v, dt, node, active, account)
+        if moved or sorted_now:
             node["clearance"] = 0.0
         if node["clearance"] <= travel:
             near = candidates[candidate_first[t] : candidate_first[t + 1]]
             node["clearance"] = travel + detect(
-                mass, segments, first, neighbours, near, parameters, x, v, dt, step, node, own, account
-            )
+                mass, segments, first, neighbours, near, own, parameters,
+                x, v, dt, step,
+                node, active, account,
+            )  # fmt: skip
     for t in range(nodes.size):
         for k in range(nodes[t]["count"]):
             add_contact_force(mass, segments, parameters, x, v, a, dt, f, nodes[t], states[k, t], account)
@@ -74,26 +77,48 @@ def cycle(
 @inlined
 def track_all(
     # model
-    segments: Records, first: Index, neighbours: Index, maxpar: float,
+    mass: Array, segments: Records, first: Index, neighbours: Index, own: Index, parameters: Record,
     # motion
     x: Array, v: Array, dt: float,
     # updated
     node: Record, states: Records, account: Array,
 ) -> bool:  # fmt: skip
     """Track all contacts of a node; return True where one has moved to another segment or ended."""
-    changed, k = False, 0
+    maxpar, changed, k = parameters["maxpar"], False, 0
     while k < node["count"]:
         segment = states[k]["segment"]
-        if track(segments, first, neighbours, maxpar, x, node, states, k):
+        then = track(segments, first, neighbours, own, maxpar, x, 0.0, node, states, k)
+        if then == HELD:
             changed = changed or states[k]["segment"] != segment
             k += 1
-        else:
-            changed = True
-            account_release(segments, v, dt, node, states[k], account)
-            node["count"] -= 1
-            for later in range(k, node["count"]):
-                states[later] = states[later + 1]
+            continue
+        changed = True
+        account_release(segments, v, dt, node, states[k], account)
+        node["count"] -= 1
+        for later in range(k, node["count"]):
+            states[later] = states[later + 1]
+        if then >= 0:
+            move_over_ridge(
+                mass, segments, first, neighbours, own, parameters, x, v, dt, then, node, states, account
+            )
     return changed
+
+
+@uncounted
+def move_over_ridge(
+    # model
+    mass: Array, segments: Records, first: Index, neighbours: Index, own: Index, parameters: Record,
+    # motion, the segment beyond the ridge
+    x: Array, v: Array, dt: float, s: int,
+    # updated
+    node: Record, states: Records, account: Array,
+) -> None:  # fmt: skip
+    """Begin the contact of a node with the segment that takes it over."""
+    xi, eta = centre(segments[s]["triangle"])
+    maxpar = parameters["maxpar"]
+    if activate(segments, first, neighbours, own, maxpar, x, 0.0, s, 1.0, xi, eta, node, states):
+        new = states[node["count"] - 1]
+        account_activation(mass, segments, parameters, v, dt, node, new, account)
 
 
 @uncounted

@@ -10,12 +10,13 @@ it was at t_{n-1}, or has passed through the whole shell in one step.
 import numpy as np
 
 from vmharness.explicit.contact.energy import account_activation
-from vmharness.explicit.contact.geometry import at, at_time, beyond, centre, corners, normal, size
-from vmharness.explicit.contact.neighbours import SMOOTH, is_active
+from vmharness.explicit.contact.geometry import at, at_time, beyond, centre, corners, normal, shape, size
+from vmharness.explicit.contact.kinematics import relative
+from vmharness.explicit.contact.neighbours import SMOOTH
 from vmharness.explicit.contact.projection import half_thickness, height_over, project_node
-from vmharness.explicit.contact.records import MAX_CONTACTS, Record, Records
+from vmharness.explicit.contact.records import MAX_CONTACTS, Record, Records, is_active
 from vmharness.explicit.contact.search import bounding_box, distance_to_box, nearest_segment
-from vmharness.explicit.contact.tracking import track
+from vmharness.explicit.contact.tracking import HELD, MAX_CROSSINGS, track
 from vmharness.explicit.kernels.compiled import uncounted
 from vmharness.explicit.kernels.vector import Vector, dot, scale, subtract
 from vmharness.explicit.state import Array, Index
@@ -27,7 +28,7 @@ BEHIND = 0.01  # of the change of the gap: a node that was behind by no more at 
 @uncounted
 def detect(
     # model
-    mass: Array, segments: Records, first: Index, neighbours: Index, candidates: Index, parameters: Record,
+    mass: Array, segments: Records, first: Index, neighbours: Index, candidates: Index, own: Index, parameters: Record,
     # motion; `step` bounds the relative motion within the step
     x: Array, v: Array, dt: float, step: float,
     # updated
@@ -56,11 +57,13 @@ def detect(
         if is_continuation(segments, first, neighbours, x, states, node["count"], s, out > 0.0, n):
             continue
         if free <= step or start:
+            moved = relative(v, node["row"], segment, shape(segment["triangle"], xi, eta))
+            reach = 0.0 if start else dt * abs(dot(moved, n))
             side = crosses(segment, maxpar, x, v, dt, start, ignore, node, p, xi, eta, free)
             if side != 0.0 and node["count"] == MAX_CONTACTS:
                 full = True
             elif side != 0.0 and activate(
-                segments, first, neighbours, maxpar, x, s, side, xi, eta, node, states
+                segments, first, neighbours, own, maxpar, x, reach, s, side, xi, eta, node, states
             ):
                 new = states[node["count"] - 1]
                 if ignore:
@@ -98,9 +101,9 @@ def is_continuation(
 @uncounted
 def activate(
     # model
-    segments: Records, first: Index, neighbours: Index, maxpar: float,
+    segments: Records, first: Index, neighbours: Index, own: Index, maxpar: float,
     # motion, new contact point
-    x: Array, s: int, side: float, xi: float, eta: float,
+    x: Array, reach: float, s: int, side: float, xi: float, eta: float,
     # updated
     node: Record, states: Records,
 ) -> bool:  # fmt: skip
@@ -112,10 +115,15 @@ def activate(
     for j in range(3):
         state["slip"][j] = 0.0
         state["force"][j] = 0.0
-    found = track(segments, first, neighbours, maxpar, x, node, states, k)
-    if found:
+    for _ in range(MAX_CROSSINGS):
+        then = track(segments, first, neighbours, own, maxpar, x, reach, node, states, k)
+        if then < 0:
+            break
+        state["segment"], state["side"] = then, 1.0  # over a ridge
+        state["xi"], state["eta"] = centre(segments[then]["triangle"])
+    if then == HELD:
         node["count"] += 1
-    return bool(found)
+    return bool(then == HELD)
 
 
 @uncounted

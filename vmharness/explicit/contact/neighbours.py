@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from vmharness.explicit.contact.geometry import at, centre, corners, interpolate, shape
-from vmharness.explicit.contact.projection import project_node
-from vmharness.explicit.contact.records import Record, Records
+from vmharness.explicit.contact.geometry import at, centre
+from vmharness.explicit.contact.projection import midpoint, project_node
+from vmharness.explicit.contact.records import Record, Records, is_active
 from vmharness.explicit.contact.search import has_corner
 from vmharness.explicit.kernels.compiled import kernel, uncounted
 from vmharness.explicit.kernels.vector import Vector, dot, inlined, subtract
@@ -111,19 +111,3 @@ def connection(
         turn = -side if dot(between, m) > 0.0 else side
         return turn if side * dot(between, n) > 0.0 and (two_sided or turn > 0.0) else 0.0
     return 0.0
-
-
-@inlined
-def midpoint(x: Array, segment: Record) -> Vector:
-    """The point at the centre of a segment."""
-    xi, eta = centre(segment["triangle"])
-    return interpolate(corners(x, segment["nodes"]), shape(segment["triangle"], xi, eta))
-
-
-@inlined
-def is_active(states: Records, s: int, count: int) -> bool:
-    """Whether one of the first `count` contacts of a node is with segment s."""
-    found = False
-    for k in range(count):
-        found = found or states[k]["segment"] == s
-    return found

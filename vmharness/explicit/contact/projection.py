@@ -9,6 +9,7 @@ import numpy as np
 from vmharness.explicit.contact.geometry import (
     Corners,
     beyond,
+    centre,
     corners,
     interpolate,
     normal,
@@ -141,6 +142,13 @@ def is_inside(out: float, tangent_square: float, away: Vector) -> bool:
     `tangent_square` is the lesser of r,xi . r,xi and r,eta . r,eta.
     """
     return bool(out < 0.0 and out * out * tangent_square > dot(away, away))
+
+
+@inlined
+def midpoint(x: Array, segment: Record) -> Vector:
+    """The point at the centre of a segment."""
+    xi, eta = centre(segment["triangle"])
+    return interpolate(corners(x, segment["nodes"]), shape(segment["triangle"], xi, eta))
 
 
 @inlined

@@ -1,6 +1,6 @@
 """Data of the contact mechanics: tracked nodes, segments, and the state of each contact of a node with a segment."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -26,6 +26,12 @@ class Tracked:
     penalty: Array  # (nt,) SLSFAC SFSA times the largest of the node's elements; infinity where it has none
     thickness: Array  # (nt,) of its shells; zero where it has none, and where mid-surfaces touch
     area: Array  # (nt,) its share of the surface, for VC; infinity where it has none
+    faces: Index = field(
+        default_factory=lambda: np.zeros((0, 4), np.intp)
+    )  # (nf, 4) of the nodes' own surface
+    first_face: Index | None = (
+        None  # (nt + 1,) faces[first_face[t] : first_face[t + 1]] are at node t; None: none are
+    )
 
 
 @dataclass(frozen=True)
@@ -46,6 +52,8 @@ NODE = np.dtype(
         ("thickness", np.float64),
         ("area", np.float64),
         ("count", np.intp),  # of active contacts
+        ("own_from", np.intp),  # the faces of its own surface
+        ("own_to", np.intp),
         ("clearance", np.float64),  # relative motion since the sort before which no new contact can begin
         ("force", np.float64, 3),  # sum over its contacts
         # These four fill one word.
@@ -93,6 +101,15 @@ def vector_of(field: Array) -> Vector:
 
 
 @inlined
+def is_active(states: Records, s: int, count: int) -> bool:
+    """Whether one of the first `count` contacts of a node is with segment s."""
+    found = False
+    for k in range(count):
+        found = found or states[k]["segment"] == s
+    return found
+
+
+@inlined
 def write(state: Record, s: int, side: float, xi: float, eta: float, n: Vector, gap: float) -> None:
     """Store segment, contact point, normal and gap of a contact at t_n."""
     state["segment"], state["side"], state["xi"], state["eta"], state["gap"] = s, side, xi, eta, gap
@@ -105,6 +122,8 @@ def node_records(tracked: Tracked) -> Records:
     records["row"] = tracked.nodes
     for name in ("penalty", "thickness", "area"):
         records[name] = getattr(tracked, name)
+    if tracked.first_face is not None:
+        records["own_from"], records["own_to"] = tracked.first_face[:-1], tracked.first_face[1:]
     return records
 
 

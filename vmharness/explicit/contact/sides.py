@@ -9,7 +9,13 @@ import numpy as np
 from vmharness.deck import Deck, Entry
 from vmharness.explicit.contact.records import Segments, Tracked
 from vmharness.explicit.contact.surface.choice import faces_of_surface, lies_behind, nodes_of_surface, reverse
-from vmharness.explicit.contact.surface.faces import ContactFaces, nodal_area, nodal_penalty, nodal_thickness
+from vmharness.explicit.contact.surface.faces import (
+    ContactFaces,
+    nodal_area,
+    nodal_penalty,
+    nodal_thickness,
+    own_faces,
+)
 from vmharness.explicit.contact.thickness import capped, contact_thickness, release_depth
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.state import Array, Index
@@ -45,7 +51,8 @@ class Sides:
         if self.control["penopt"] == SEGMENTS_STIFFNESS:
             penalty = np.full(nodes.size, np.inf)
         thickness = nodal_thickness(self.every, self._thickness(side, self.every), nodes, count)
-        return Tracked(nodes, penalty, thickness, nodal_area(self.every, x, nodes))
+        faces, first_face = own_faces(self.every, nodes)
+        return Tracked(nodes, penalty, thickness, nodal_area(self.every, x, nodes), faces, first_face)
 
     def segments(self, side: str, faces: ContactFaces, opposite: Index) -> Segments:
         """The faces as segments; shells that act from one side face the `opposite` nodes, if ORIEN says so."""

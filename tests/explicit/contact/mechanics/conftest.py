@@ -9,6 +9,7 @@ import pytest
 from vmharness.explicit.contact.contact import Contact
 from vmharness.explicit.contact.parameters import Options
 from vmharness.explicit.contact.records import Segments, Tracked
+from vmharness.explicit.contact.surface.faces import faces_at
 from vmharness.explicit.state import Array, State
 
 
@@ -54,9 +55,11 @@ def segments(nodes, penalty=1000.0, thickness=0.0, release=np.inf, two_sided=Fal
     return Segments(np.ascontiguousarray(nodes), *full)
 
 
-def tracked(nodes, penalty=np.inf, thickness=0.0, area=np.inf) -> Tracked:
+def tracked(nodes, penalty=np.inf, thickness=0.0, area=np.inf, faces=None) -> Tracked:
+    """Tracked nodes; `faces` (nf, 4) are of their own surface, one-sided."""
     nodes = np.atleast_1d(nodes)
-    return Tracked(nodes, *[np.full(nodes.size, value) for value in (penalty, thickness, area)])
+    full = [np.full(nodes.size, value) for value in (penalty, thickness, area)]
+    return Tracked(nodes, *full, *(faces_at(faces, nodes) if faces is not None else ()))
 
 
 def contact(*passes, **options) -> Contact:

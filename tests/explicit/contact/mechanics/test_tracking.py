@@ -182,3 +182,63 @@ def test_birth_and_death(scene, bench):
     for s in bench.march(scene.state(), [contact], 1e-3, 60):
         touching = 31 <= s.cycle < 50  # the early one crosses before birth
         assert contact.forces.any(axis=1).tolist() == [False, touching]
+
+
+def leading_edge(scene, speed):
+    """The bottom (z = 0, x < 0) and the leading face (x = 0, z > 0) of a body that moves along x; one is joined to one."""
+    low = scene.sheet(
+        lambda a, b: (b, a, 0.0), [-2.0, -1.0, 0.0, 1.0, 2.0], [-2.0, -1.0, 0.0], mass=0.0, v=speed
+    )
+    edge = np.unique(low)[-5:]
+    high = scene.sheet(lambda a, b: (0.0, a, b), [-2.0, -1.0, 0.0, 1.0, 2.0], [1.0, 2.0], mass=0.0, v=speed)
+    first = np.stack([edge[:-1], edge[1:], np.unique(high)[1:5], np.unique(high)[:4]], axis=1)
+    return low, np.concatenate([first, high])
+
+
+@pytest.mark.parametrize("surface", [True, False])
+@pytest.mark.parametrize("y", [0.3, 0.0])
+@pytest.mark.parametrize("per_step", [0.002, 0.3])
+def test_a_swept_node_goes_to_the_nearest_face(scene, bench, per_step, y, surface):
+    # 0.01 behind the bottom: the leading face pushes it as far, and then only the bottom does. Without a surface of its
+    # own it is pushed up to MAXPAR of the segment's size, the root of twice its area.
+    depth, dt = 0.01, 1e-3
+    far = depth if surface else 0.0125 * np.sqrt(2.0)
+    low, high = leading_edge(scene, [per_step / dt, 0.0, 0.0])
+    patch = scene.sheet(lambda a, b: (1.0 + a, y + b, depth), [-0.5, 0.0, 0.5], [-0.5, 0.0, 0.5], mass=0.0)
+    node = patch[0, 2]
+    sides = bench.tracked(node, faces=patch if surface else None), bench.segments(np.concatenate([low, high]))
+    contact, state = bench.contact(sides), scene.state()
+    work, met = 0.0, False
+    for s in bench.march(state, [contact], dt, int(2.0 / per_step)):
+        into = s.x[low[-1, -1], 0] - 1.0
+        if into > 1e-9 and into < 1.9:
+            straight = into > depth if surface else into > max(depth, 0.0125)
+            expected = [0.0, 0.0, -depth] if straight else [into, 0.0, 0.0]
+            np.testing.assert_allclose(contact.force, 1000.0 * np.array(expected), atol=1e-9)
+            met = True
+        work += contact.force[0] * per_step
+    assert met
+    assert work <= 1.2 * 500.0 * far**2
+
+
+def test_a_node_whose_surface_does_not_face_the_side_stays_on_top(scene, bench):
+    # As the corner of a block that stands flush on another: pressed deeper than it is far from the edge.
+    low, high = leading_edge(scene, [0.0, 0.0, 0.0])
+    node = scene.nodes([-0.001, 0.1, -0.001], v=[0.0, 0.0, 10.0], mass=0.0)[0]
+    top = scene.sheet(lambda a, b: (-0.001 - a, 0.1 + b, -0.001), [0.0, 0.5], [0.0, 0.5], mass=0.0)
+    side = scene.sheet(lambda a, b: (-0.001, 0.1 + a, -0.001 - b), [0.0, 0.5], [0.0, 0.5], mass=0.0)
+    own = np.concatenate([top[:, ::-1], side[:, ::-1]])
+    own[own == top[0, 0]] = own[own == side[0, 0]] = node
+    sides = bench.tracked(node, faces=own), bench.segments(np.concatenate([low, high]))
+    contact, state = bench.contact(sides), scene.state()
+    for s in bench.march(state, [contact], 1e-4, 100):
+        np.testing.assert_allclose(contact.force, [0.0, 0.0, -1000.0 * max(s.x[node, 2], 0.0)], atol=1e-9)
+
+
+def test_after_four_borders_the_gap_is_that_of_the_segment_that_is_reached(scene, bench):
+    strip = scene.sheet(bench.flat, np.arange(31.0), [-5.0, 5.0], mass=0.0)
+    ball = scene.nodes([0.5, 0.0, 0.03], v=[4000.0, 0.0, 0.0], mass=0.0)
+    sides = bench.tracked(ball), bench.segments(strip, thickness=0.1, two_sided=True)
+    contact = bench.contact(sides)
+    for _ in bench.march(scene.state(), [contact], 1e-3, 2):
+        np.testing.assert_allclose(contact.force, [0.0, 0.0, 1000.0 * (0.05 - 0.03)], atol=1e-9)

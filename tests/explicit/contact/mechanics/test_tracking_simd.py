@@ -13,10 +13,11 @@ from vmharness.explicit.contact.records import (
     node_records,
     segment_records,
 )
-from vmharness.explicit.contact.tracking import track
+from vmharness.explicit.contact.tracking import HELD, track
 from vmharness.explicit.contact.tracking_simd import buffers, track_settled
 from vmharness.explicit.kernels.simd import LANES
 
+OWN = np.zeros((0, 4), np.intp)  # the nodes have no faces of their own
 POINTS = 3 * LANES + 5  # so that the last lanes are not full
 
 
@@ -72,7 +73,7 @@ def test_lanes_find_what_each_contact_alone_finds(sliding):
         if not settled[t]:
             assert together[:, t].tobytes() == before[:, t].tobytes()
             continue
-        assert track(segments, first, neighbours, 1.025, x, nodes[t], states[:, t], 0)
+        assert track(segments, first, neighbours, OWN, 1.025, x, 0.0, nodes[t], states[:, t], 0) == HELD
         for name in ("segment", "side", "xi", "eta", "normal", "gap"):
             np.testing.assert_allclose(together[0, t][name], states[0, t][name], rtol=1e-12, atol=1e-12)
 
@@ -81,7 +82,10 @@ def test_nodes_that_go_deeper_than_allowed_or_beyond_the_border_are_left(sliding
     x, nodes, segments, states, (first, neighbours) = sliding
     track_settled(segments, x, nodes, states, *buffers())
     held = np.array(
-        [track(segments, first, neighbours, 1.025, x, nodes[t], states[:, t], 0) for t in range(POINTS)]
+        [
+            track(segments, first, neighbours, OWN, 1.025, x, 0.0, nodes[t], states[:, t], 0) == HELD
+            for t in range(POINTS)
+        ]
     )
     assert not np.any(nodes["settled"] & (nodes["count"] > 0) & ~held)
     assert np.any(~held & (nodes["count"] > 0))

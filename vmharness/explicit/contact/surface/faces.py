@@ -118,6 +118,24 @@ def nodal_area(every: ContactFaces, x: Array, tracked: Index) -> Array:
     return np.where(total[tracked] > 0.0, total[tracked], np.inf)
 
 
+def own_faces(every: ContactFaces, tracked: Index) -> tuple[Index, Index]:
+    """The outer faces at each tracked node, as `faces_at` gives them; those of shells also turned over."""
+    outer = every.only(exterior(every))
+    return faces_at(np.concatenate([outer.nodes, outer.nodes[outer.shell][:, [0, 3, 2, 1]]]), tracked)
+
+
+def faces_at(nodes: Index, tracked: Index) -> tuple[Index, Index]:
+    """Of faces with `nodes` (n, 4), those at each tracked node t: found[first[t] : first[t + 1]] (m, 4)."""
+    place = np.full(max(nodes.max(initial=-1), tracked.max(initial=-1)) + 1, -1)
+    place[tracked] = np.arange(tracked.size)
+    distinct = np.ones(nodes.shape, bool)
+    distinct[:, 3] = nodes[:, 2] != nodes[:, 3]
+    face, corner = np.nonzero((place[nodes] >= 0) & distinct)
+    at = place[nodes[face, corner]]
+    order = np.argsort(at, kind="stable")
+    return nodes[face[order]], np.searchsorted(at[order], np.arange(tracked.size + 1))
+
+
 def _largest(every: ContactFaces, values: Array, nodes: int) -> Array:
     largest = np.zeros(nodes)
     np.maximum.at(largest, every.nodes, values[:, None])
