@@ -11,8 +11,11 @@ stable. With TSSFAC > 1 the user asks for more than the stable step; the run the
 The ratio r is found at the start (highest_mode.py), and again when the own step of an element near the shortest has
 changed by more than CHANGE; it is checked every CHECK_EVERY cycles. The damping of springs, of hourglass control and of
 *DAMPING_PART_STIFFNESS is part of r, and bulk viscosity as far as it acts in the highest mode alone. Where elements are
-compressed steadily it acts at all times: the step is then at most r_K h_q, where h_q is the own step with bulk viscosity
-and r_K is by stiffness alone.
+compressed steadily it acts at all times: the step is then at most r_K h_q, with h_q the own step with bulk viscosity,
+and r_K by stiffness alone.
+
+Bulk viscosity makes h_q jump by 6 % whenever an element is compressed. A step that jumps in time with a mode drives it
+(parametric resonance), even where each step alone is stable. The step therefore grows by at most GROWTH in a cycle.
 """
 
 import numpy as np
@@ -25,6 +28,7 @@ from vmharness.explicit.timestep.highest_mode import Mode, highest_mode, respons
 SAFE = 0.95  # of 2/omega_max: it is found to 1 %, and the next step of the motion changes it
 CHANGE = 0.05  # of an element's own step, until r is found again
 CHECK_EVERY = 20  # cycles
+GROWTH = 0.005  # of the step from one cycle to the next
 NEAR = 1.5  # times the shortest step: longer ones do not limit the step, since r is not below 1/1.5 by far
 REPEATS = 6  # where damping makes r depend on dt
 
@@ -40,15 +44,20 @@ class StableStep:
         self._at: Array | None = None  # the elements' own steps at the last estimate
         self._mode: Mode | None = None
         self._checked = -CHECK_EVERY
+        self._steady = np.inf  # the shortest own step, that grows slowly
         self._fraction = 1.0  # the smallest of LS-DYNA's step that was taken
 
     def limited(self, dt: float) -> float:
-        """The step `dt`, or the stable one where that is shorter; then a fact of the run says so."""
-        cycle = self.model.state.cycle
-        if self.blocks and cycle >= self._checked + CHECK_EVERY:
+        """The step `dt`, or a shorter one that is stable; a fact of the run says where it is shorter than LS-DYNA's."""
+        if not self.blocks:
+            return dt
+        cycle, own = self.model.state.cycle, min(block.stable_step() for block in self.blocks)
+        if cycle >= self._checked + CHECK_EVERY:
             self._checked = cycle
             self._renew()
-        longest = self.factor * self.longest()
+        self._steady = min(own, self._steady * (1.0 + GROWTH))
+        dt = min(dt, self.model.step_factor * self._steady)
+        longest = self.factor * min(self.bound, self.stiff * own)
         if not longest < dt:
             return dt
         if longest < 0.999 * self._fraction * dt:
@@ -58,12 +67,6 @@ class StableStep:
                 f"the step of its elements; {self.where} limits it"
             )
         return longest
-
-    def longest(self) -> float:
-        """2/omega_max of the model with damping, or infinity."""
-        if not np.isfinite(self.bound):
-            return np.inf
-        return float(min(self.bound, self.stiff * min(block.stable_step() for block in self.blocks)))
 
     def _renew(self) -> None:
         steps = own_steps(self.model, self.blocks)
