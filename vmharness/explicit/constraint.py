@@ -1,8 +1,9 @@
 """A constraint determines or changes the motion of nodes: supports, motions, damping, rigid walls, rigid bodies."""
 
-from typing import Protocol
+from collections.abc import Iterator
+from typing import Protocol, runtime_checkable
 
-from vmharness.explicit.state import Array, Flags, State
+from vmharness.explicit.state import Array, Flags, Index, State
 
 
 class Constraint(Protocol):
@@ -21,3 +22,14 @@ class Constraint(Protocol):
 
     def move(self, state: State, dt: float) -> None:
         """Change `state.v` and `state.omega` at t_{n+1/2} so that the constraint holds after the next step `dt`."""
+
+
+@runtime_checkable
+class Binding(Constraint, Protocol):
+    """A constraint by which nodes move together."""
+
+    def modes(self, state: State, held: Flags) -> Iterator[tuple[Index, Array]]:
+        """For each group of nodes (m,) its k free motions of unit mass, as velocities (m, 6, k) of the nodes.
+
+        `held` (n, 6): degrees of freedom that constraints rule.
+        """

@@ -1,7 +1,8 @@
 """Interfaces of forces: whatever adds force and moment to nodes, such as elements, contacts, loads and damping."""
 
+import copy
 from collections.abc import Callable
-from typing import Protocol, runtime_checkable
+from typing import Any, Protocol, TypeVar, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,9 +31,17 @@ class Elements(Force, Protocol):
     kind: str  # "shell", "solid", "beam", "discrete"
     pid: int | None  # of the part
     eid: NDArray[np.int64]  # (ne,) numbers of the elements
+    nodes: Index  # (ne, corners) rows of the state's arrays; -1 is the ground
 
     def stable_step(self) -> float:
         """The largest stable time step at the geometry of the last `add`; infinity where none is set."""
+
+    def linearised(self) -> Force:
+        """A copy of elastic elements without stress, for the highest frequency: timestep/highest_mode.py.
+
+        After a small step dt of velocity v its force is f_0 - (K dt + 2 C) v, with the largest stiffness K that the law
+        can have, and the damping C that lags half a step.
+        """
 
     def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
         """What shows a component, such as `xx-stress`, of an element (its place in `eid`); points count from 1.
@@ -48,7 +57,6 @@ class Scalable(Elements, Protocol):
     All nodes of an element take the same share of its mass and rotary inertia.
     """
 
-    nodes: Index  # (ne, corners) rows of the state's arrays
     mass: Array  # (ne,) that each node takes, at the material's density
     inertia: Array  # (ne,)
 
@@ -68,3 +76,21 @@ class Dampable(Elements, Protocol):
 
     def damp(self, beta: Array) -> None:
         """Add to the stress of the law `beta` (ne,) times its rate; call it before the first step."""
+
+
+Copied = TypeVar("Copied", bound=Force)
+
+
+def copy_of(force: Copied) -> Copied:
+    """A copy with arrays of its own; kernels and constants of materials are shared."""
+    made = copy.copy(force)
+    made.__dict__.update({name: _own(value) for name, value in vars(force).items()})
+    return made
+
+
+def _own(value: Any) -> Any:
+    if isinstance(value, np.ndarray):
+        return value.copy()
+    if type(value) is dict:
+        return {name: _own(one) for name, one in value.items()}
+    return tuple(map(_own, value)) if type(value) is tuple else value

@@ -9,6 +9,7 @@ from vmharness.explicit.kernels import integrate
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.state import State
 from vmharness.explicit.threads import ThreadPool
+from vmharness.explicit.timestep.stable_step import StableStep
 
 MOST_CYCLES = 1e11  # a step with which the run would take more cycles counts as vanished
 BALANCE_EVERY = 50  # cycles between two checks of the energy balance
@@ -26,6 +27,7 @@ def steps(model: Model) -> Iterator[State]:
     no longer finite, or the energy balance is lost.
     """
     s, shortest = model.state, 0.0
+    stable = StableStep(model)
     balance = Balance(s, model.kinetic, [*model.forces, *model.constraints])
     threads = ThreadPool(model.forces, s, model.ncpu)
     accelerate = threads.over_nodes(integrate.accelerate)
@@ -49,7 +51,7 @@ def steps(model: Model) -> Iterator[State]:
         if ended:
             return
 
-        dt = model.next_step()
+        dt = stable.limited(model.next_step())
         check_step(model, dt, shortest)
         shortest = shortest or model.dtmin * dt
         advance_velocity(s.v, s.omega, s.a, s.alpha, 0.5 * (s.dt + dt))

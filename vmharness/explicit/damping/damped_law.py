@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from vmharness.explicit.kernels.compiled import specialise, to_be_bound
+from vmharness.explicit.kernels.simd import LANES
 from vmharness.explicit.kernels.vector import inlined
 from vmharness.explicit.state import Array
 
@@ -33,6 +34,17 @@ def memory(beta: Array, points: int, history: int, stresses: int) -> Array:
     kept = np.zeros((beta.size, points, history + stresses + 1))
     kept[..., -1] = beta[:, None]
     return kept
+
+
+def unload(history: Array, damped: bool) -> None:
+    """Set history variables (..., rows * LANES) to those without stress; beta, the last of a `damped` law, is doubled.
+
+    Since s_{n-1} = 0, the stress is then s + 2 beta s/dt: see `Elements.linearised`.
+    """
+    beta = 2.0 * history[..., -LANES:] if damped else 0.0
+    history[:] = 0.0
+    if damped:
+        history[..., -LANES:] = beta
 
 
 @inlined

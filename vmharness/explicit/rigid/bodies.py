@@ -54,6 +54,29 @@ class Bodies:
         """Where the nodes of each body are in `nodes` and `arm`."""
         return (slice(*pair) for pair in pairwise(self.first.tolist()))
 
+    def modes(self, s: State, held: Flags) -> Iterator[tuple[Index, Array]]:
+        """For each body its nodes (m,) and its free motions of unit mass, as velocities (m, 6, k) of the nodes.
+
+        Translations e_i / sqrt(M), and rotations by the principal axes w_i / sqrt(I_i) of the inertia in the free
+        directions. `held` (n, 6): degrees of freedom that constraints rule.
+        """
+        for b, (c, place) in enumerate(zip(self.centre, self.slices(), strict=True)):
+            nodes = self.nodes[place]
+            axes = np.array(rotation_matrix(self.q[b, 0], tuple(self.q[b, 1:]))).T
+            tensor = axes @ (self.principal[b][:, None] * axes.T)
+            turns = np.flatnonzero(~self.given[b])
+            moments, w = np.linalg.eigh(tensor[np.ix_(turns, turns)])
+            some = moments > 1e-12 * self.principal[b].max()
+            rotations = np.zeros((3, some.sum()))
+            rotations[turns] = w[:, some] / np.sqrt(moments[some])
+            shifts = np.eye(3)[:, ~held[c, :3]] * np.sqrt(self.inverse_mass[c])
+            r = s.x[nodes] - s.x[c]
+            made = np.zeros((nodes.size, 6, shifts.shape[1] + rotations.shape[1]))
+            made[:, :3, : shifts.shape[1]] = shifts
+            made[:, :3, shifts.shape[1] :] = np.cross(rotations.T[None], r[:, None]).transpose(0, 2, 1)
+            made[:, 3:, shifts.shape[1] :] = rotations
+            yield nodes, made
+
     def gather_forces(self, s: State) -> None:
         """Sum the forces on nodes at the centres: f, a = F/M, and the torque T_n."""
         gather_forces(

@@ -4,14 +4,14 @@
 `RigidBodies` comes after all others: the nodes follow the centres as those leave them.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from vmharness.explicit.rigid.bodies import Bodies
 from vmharness.explicit.rigid.joints import Joints
-from vmharness.explicit.state import Array, Flags, State
+from vmharness.explicit.state import Array, Flags, Index, State
 
 
 class Drive(NamedTuple):
@@ -56,6 +56,10 @@ class RigidBodies:
         self.energy = {"external work": np.zeros(1), "damping": np.zeros(1)}
         self._held = np.nonzero(held[:, :3])  # body and axis of each held translation
         self._damped = np.zeros((bodies.centre.size, 3))  # the torque of damping
+
+    def modes(self, state: State, held: Flags) -> Iterator[tuple[Index, Array]]:
+        """The free motions of the bodies; joints, which hold some of them, are left out."""
+        return self.bodies.modes(state, held)
 
     def accelerate(self, state: State) -> None:
         """Set omega_n and alpha_n, forces of joints, reactions, and the acceleration of the nodes at t_n."""

@@ -26,8 +26,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.deck import Deck
-from vmharness.explicit.damping.damped_law import damped, memory, uniaxial
+from vmharness.explicit.damping.damped_law import damped, memory, uniaxial, unload
 from vmharness.explicit.elements.beam._parts import beam_parts, lengths
+from vmharness.explicit.force import copy_of
 from vmharness.explicit.kernels.compiled import specialise, to_be_bound
 from vmharness.explicit.kernels.simd import LANES, by_block, by_element, put, vector
 from vmharness.explicit.kernels.vector import add, dot, scale, subtract
@@ -110,6 +111,7 @@ class Truss:
         self._history = by_block(np.zeros((self.elements, history)))
         self._work = np.zeros(ROWS * LANES)
         self._shortest = np.inf
+        self._damped = False
         self.energy = {"internal": np.zeros(1)}
         self._law, self._step = law, _compiled(law, has_long_curve(constants))
 
@@ -141,7 +143,15 @@ class Truss:
         """Add to the stress of the law `beta` (ne,) times its rate; call it before the first step."""
         history = self._history.shape[-1] // LANES
         self._history = by_block(memory(beta, 1, history, 1)[:, 0])
+        self._damped = True
         self._step = _compiled(damped(uniaxial, self._law, history), has_long_curve(self._constants))
+
+    def linearised(self) -> "Truss":
+        """A copy without stress; its damping is twice as large."""
+        made = copy_of(self)
+        made._stress[:] = 0.0
+        unload(made._history, self._damped)
+        return made
 
     def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
         """`axial-stress`, `axial-force` (tension positive) or a channel of the law; `element`: its place in `eid`."""

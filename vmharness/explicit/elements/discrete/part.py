@@ -56,6 +56,7 @@ class Discrete:
         self.bearing: Array | None = None  # (n,) mass or inertia, where rigid bodies have the nodes'
         self.taken = np.zeros(demand.shape[1])  # (n,) mass or inertia over h^2 that other elements need
         self._constants = constants
+        self._bounds = law.bounds(constants)
         self._history = np.zeros(law.HISTORY["spring"] * eid.size)
         self._limit = np.inf
         self._step = _compiled(step.step, law.spring)
@@ -87,6 +88,11 @@ class Discrete:
         """The limit of the nodes that these elements join, from the bounds of the laws: the same at all times."""
         return self._limit
 
+    def linearised(self) -> "LinearDiscrete":
+        """Springs and dampers of the largest stiffness and damping of the law."""
+        k, c = self._bounds
+        return LinearDiscrete(self, k * self._size, c * self._size)
+
     def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
         """`force` and `elongation` of an element (its place in `eid`); of a torsional one `moment` and `rotation`."""
         names = ("moment", "rotation") if self.about else ("force", "elongation")
@@ -95,6 +101,22 @@ class Discrete:
             raise ValueError(f"no {component!r} of this discrete element; there are: {', '.join(names)}")
         column = values[component]
         return lambda: float(column[element])
+
+
+class LinearDiscrete:
+    """Springs of constant stiffness and dampers (ne,), in the places of those of a part."""
+
+    def __init__(self, part: Discrete, stiffness: Array, damping: Array) -> None:
+        self.name, self.energy, self.about = part.name, part.energy, part.about
+        self._place = part.nodes, part._direction, part._guide
+        self._stiffness, self._damping = stiffness, damping
+
+    def add(self, state: State) -> None:
+        """Add the forces of a step from a state without forces."""
+        motion, loads = (state.omega, state.moment) if self.about else (state.v, state.f)
+        step.linear_step(
+            state.x, state.v, motion, state.dt, *self._place, self._stiffness, self._damping, loads
+        )
 
 
 @cache

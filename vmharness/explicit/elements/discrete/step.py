@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.kernels.compiled import to_be_bound
+from vmharness.explicit.kernels.compiled import kernel, to_be_bound
 from vmharness.explicit.kernels.vector import Vector, add, dot, inlined, scale, subtract
 from vmharness.explicit.materials import Spring
 from vmharness.explicit.state import Array, Index
@@ -102,6 +102,29 @@ def step(
             f = 0.0
         energy[0] += 0.5 * (force[i] + f) * dt * rate
         force[i] = f
+        for j in range(3):
+            loads[nodes[i, 0], j] += f * e[j]
+            if nodes[i, 1] >= 0:
+                loads[nodes[i, 1], j] -= f * e[j]
+
+
+@kernel
+def linear_step(
+    x: Array,
+    v: Array,
+    motion: Array,
+    dt: float,
+    nodes: Index,
+    direction: Array,
+    guide: Index,
+    stiffness: Array,
+    damping: Array,
+    loads: Array,
+) -> None:
+    """Add the forces (k dt + 2 c) ddot of linear springs and dampers (ne,): see `Elements.linearised`."""
+    for i in range(nodes.shape[0]):
+        e, m = axes(x, v, dt, nodes[i], direction[i], guide[i])
+        f = (stiffness[i] * dt + 2.0 * damping[i]) * dot(relative(motion, nodes[i]), m)
         for j in range(3):
             loads[nodes[i, 0], j] += f * e[j]
             if nodes[i, 1] >= 0:

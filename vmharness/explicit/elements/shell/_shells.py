@@ -7,10 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.damping.damped_law import damped, memory, plane_stress
+from vmharness.explicit.damping.damped_law import damped, memory, plane_stress, unload
 from vmharness.explicit.elements.shell._formulation import Formulation, compiled_lengths, compiled_step
 from vmharness.explicit.elements.shell._parts import area
-from vmharness.explicit.elements.shell._rows import DENSITY_ROOT, ROWS, THICKNESS
+from vmharness.explicit.elements.shell._rows import DENSITY_ROOT, MODULI, ROWS, THICKNESS
+from vmharness.explicit.force import copy_of
 from vmharness.explicit.kernels.simd import LANES, by_block, by_element
 from vmharness.explicit.materials import Moduli, has_long_curve
 from vmharness.explicit.state import Array, Index, State
@@ -67,6 +68,7 @@ class Shells:
         self._viscous, self._thinning = viscous, thinning
         self._wave_speed = wave_speed(moduli, density, isdo)
         self._length = np.inf
+        self._damped = False
         self._points = np.stack(np.polynomial.legendre.leggauss(nip), axis=1)
         self._nodes = by_block(nodes.astype(np.intp))
         unscaled = np.ones(elements)
@@ -113,8 +115,18 @@ class Shells:
         """Add to the stress of the law `beta` (ne,) times its rate; call it before the first step."""
         history = self._history.shape[-1] // LANES
         self._history = by_block(memory(beta, self.nip, history, len(STRESSES)))
+        self._damped = True
         law = damped(plane_stress, self._law, history)
         self._step = compiled_step(self._formulation, law, has_long_curve(self._constants), self._isdo)
+
+    def linearised(self) -> "Shells":
+        """A copy without stress; its viscous terms are twice as large."""
+        made = copy_of(self)
+        made._stress[:] = made._hourglass[:] = 0.0
+        unload(made._history, self._damped)
+        if self._viscous:
+            made._section[:, MODULI * LANES :] *= 2.0
+        return made
 
     @property
     def stress(self) -> Array:

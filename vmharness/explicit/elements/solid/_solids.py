@@ -6,11 +6,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.explicit.damping.damped_law import damped, memory, solid
+from vmharness.explicit.damping.damped_law import damped, memory, solid, unload
 from vmharness.explicit.elements.solid._channel import CHANNELS, COMPONENTS, stress_in_space
 from vmharness.explicit.elements.solid._gradient import measures
-from vmharness.explicit.elements.solid._rows import KEPT, MASS, MODULUS, ROTATION, ROWS
+from vmharness.explicit.elements.solid._rows import KEPT, MASS, MODULUS, ROTATION, ROWS, VISCOSITY
 from vmharness.explicit.elements.solid._stress import compiled_step
+from vmharness.explicit.force import copy_of
 from vmharness.explicit.kernels.simd import LANES, by_block, by_element
 from vmharness.explicit.materials import has_long_curve
 from vmharness.explicit.state import Array, Index, State
@@ -57,12 +58,13 @@ class Hexahedra:
         self._modulus, self._constants = modulus, constants
         self._viscous, self._hourglass = viscous, hourglass
         self._stable = np.inf
+        self._damped = False
         kept = np.zeros((elements, KEPT))
         kept[:, ROTATION] = 1.0
         self._kept = by_block(kept)
         self._nodes = by_block(nodes.astype(np.intp))
         self._fixed = by_block(np.column_stack([8 * self.mass, np.broadcast_to(resistance, elements)]))
-        self._longest = self._overshoot()
+        self._longest = float(self._overshoot().min())
         self._stress = by_block(np.zeros((elements, points, 6)))
         self._history = by_block(np.zeros((elements, points, history)))
         self._channels = dict(channels or {})
@@ -86,10 +88,10 @@ class Hexahedra:
         return min(self._stable, self._longest)
 
     def steps(self, x: Array) -> Array:
-        """L_e / c (ne,) at coordinates `x` (n, 3), of elements that are not compressed: without bulk viscosity."""
+        """L_e / c (ne,) at coordinates `x` (n, 3), or less where hourglass control is strong; no bulk viscosity."""
         volume, _, length = measures(x[self.nodes])
         mass = by_element(self._fixed, self.elements)[:, MASS]
-        return length * np.sqrt(mass / (self._modulus * volume))
+        return np.minimum(length * np.sqrt(mass / (self._modulus * volume)), self._overshoot())
 
     def scale_density(self, factor: Array) -> None:
         """Raise the densities by `factor` (ne,)."""
@@ -98,23 +100,36 @@ class Hexahedra:
         if self._hourglass[0]:
             fixed[:, MODULUS] *= np.sqrt(factor)
         self._fixed[:] = by_block(fixed)
-        self._longest = self._overshoot()
+        self._longest = float(self._overshoot().min())
 
     def damp(self, beta: Array) -> None:
         """Add to the stress of the law `beta` (ne,) times its rate; call it before the first step."""
         history = self._history.shape[-1] // LANES
         self._history = by_block(memory(beta, self.points, history, len(COMPONENTS)))
+        self._damped = True
         law = damped(solid, self._law, history)
         self._step = compiled_step(self._plain_step, law, has_long_curve(self._constants))
 
-    def _overshoot(self) -> float:
-        """The longest step at which a viscous hourglass force does not reverse the rate: 2 m q / Q."""
+    def linearised(self) -> "Hexahedra":
+        """A copy without stress; its linear viscous terms are twice as large.
+
+        Bulk viscosity acts in compression alone, so that forward and back it has half its effect. That is right: in
+        the highest mode compression and extension alternate.
+        """
+        made = copy_of(self)
+        made._viscous = 0.0, 2.0 * self._viscous[1]
+        made._stress[:] = 0.0
+        made._kept[:, VISCOSITY * LANES :] = 0.0  # all but the frame
+        unload(made._history, self._damped)
+        if self._hourglass[0]:
+            made._fixed[:, MODULUS * LANES : (MODULUS + 1) * LANES] *= 2.0
+        return made
+
+    def _overshoot(self) -> Array:
+        """The longest step (ne,) at which a viscous hourglass force does not reverse the rate: 2 m q / Q."""
         mass, modulus = by_element(self._fixed, self.elements).T
-        return (
-            float(np.min(2 * mass[modulus > 0] / modulus[modulus > 0], initial=np.inf))
-            if self._hourglass[0]
-            else np.inf
-        )
+        limited = (modulus > 0.0) & self._hourglass[0]
+        return np.divide(2.0 * mass, modulus, out=np.full_like(mass, np.inf), where=limited)
 
     @property
     def stress(self) -> Array:

@@ -11,6 +11,7 @@ from vmharness.explicit.elements.beam._parts import beam_parts, lengths, orienta
 from vmharness.explicit.elements.beam.belytschko_schwer import step
 from vmharness.explicit.elements.beam.belytschko_schwer.inertia import lumped, stable_step
 from vmharness.explicit.elements.beam.belytschko_schwer.stiffness import CrossSection, stiffness
+from vmharness.explicit.force import copy_of
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.state import Array, Index, State
 
@@ -82,6 +83,13 @@ class BelytschkoSchwer:
     def damp(self, beta: Array) -> None:
         """Add to the resultants `beta` (ne,) times their rate; call it before the first step."""
         self._damping = beta, np.zeros((len(beta), step.KEPT)), np.zeros(1)
+
+    def linearised(self) -> "BelytschkoSchwer":
+        """A copy with its present resultants, which are functions of the geometry; its damping is twice as large."""
+        made = copy_of(self)
+        if made._damping is not None:
+            made._damping[0][:] *= 2.0
+        return made
 
     def probe(self, element: int, point: int, component: str) -> Callable[[], float]:
         """Resultants at an end (point 1 or 2) of an element (its place in `eid`): force of the part beyond, toward r.

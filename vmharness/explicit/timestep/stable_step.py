@@ -1,0 +1,117 @@
+"""The stable step of the whole model, where it is below the elements' own.
+
+The elements' own step is LS-DYNA's: a length over a wave speed. It is a bound for a mesh that is large, or held. It is
+none for a free cube, which at nu = 0.3 is stable up to 0.734 of it only. The step of the run is therefore
+
+    dt = min(TSSFAC h, max(TSSFAC, SAFE) r h)
+
+with h the shortest own step of the elements and r h = 2/omega_max of the model. It is LS-DYNA's wherever that is
+stable. With TSSFAC > 1 the user asks for more than the stable step; the run then takes it.
+
+The ratio r is found at the start (highest_mode.py), and again when the own step of an element near the shortest has
+changed by more than CHANGE; it is checked every CHECK_EVERY cycles. The damping of springs, of hourglass control and of
+*DAMPING_PART_STIFFNESS is part of r, and bulk viscosity as far as it acts in the highest mode alone. Where elements are
+compressed steadily it acts at all times: the step is then at most r_K h_q, with h_q the own step with bulk viscosity,
+and r_K by stiffness alone.
+
+Bulk viscosity makes h_q jump by 6 % whenever an element is compressed. A step that jumps in time with a mode drives it
+(parametric resonance), even where each step alone is stable. The step therefore grows by at most GROWTH in a cycle.
+"""
+
+import numpy as np
+
+from vmharness.explicit.force import Elements, Scalable
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.state import Array
+from vmharness.explicit.timestep.highest_mode import Mode, highest_mode, response
+
+SAFE = 0.95  # of 2/omega_max: it is found to 1 %, and the next step of the motion changes it
+CHANGE = 0.05  # of an element's own step, until r is found again
+CHECK_EVERY = 20  # cycles
+GROWTH = 0.005  # of the step from one cycle to the next
+NEAR = 1.5  # times the shortest step: longer ones do not limit the step, since r is not below 1/1.5 by far
+REPEATS = 6  # where damping makes r depend on dt
+
+
+class StableStep:
+    """The longest stable step of a model, as its state changes."""
+
+    def __init__(self, model: Model) -> None:
+        self.model, self.blocks = model, model.blocks
+        self.factor = max(model.step_factor, SAFE)
+        self.bound = self.ratio = self.stiff = np.inf  # r h, r, r_K
+        self.where = ""  # the element that limits the step
+        self._at: Array | None = None  # the elements' own steps at the last estimate
+        self._mode: Mode | None = None
+        self._checked = -CHECK_EVERY
+        self._steady = np.inf  # the shortest own step, that grows slowly
+        self._fraction = 1.0  # the smallest of LS-DYNA's step that was taken
+
+    def limited(self, dt: float) -> float:
+        """The step `dt`, or a shorter one that is stable; a fact of the run says where it is shorter than LS-DYNA's."""
+        if not self.blocks:
+            return dt
+        cycle, own = self.model.state.cycle, min(block.stable_step() for block in self.blocks)
+        if cycle >= self._checked + CHECK_EVERY:
+            self._checked = cycle
+            self._renew()
+        self._steady = min(own, self._steady * (1.0 + GROWTH))
+        dt = min(dt, self.model.step_factor * self._steady)
+        longest = self.factor * min(self.bound, self.stiff * own)
+        if not longest < dt:
+            return dt
+        if longest < 0.999 * self._fraction * dt:
+            self._fraction = longest / dt
+            self.model.facts["Stable step"] = (
+                f"{self._fraction:.3g} of LS-DYNA's step, since this mesh is stable only up to {self.ratio:.3g} of "
+                f"the step of its elements; {self.where} limits it"
+            )
+        return longest
+
+    def _renew(self) -> None:
+        steps = own_steps(self.model, self.blocks)
+        if not np.isfinite(steps.min(initial=np.inf)):
+            return
+        self.bound = self.ratio * float(steps.min())
+        if self._at is not None:
+            near = np.minimum(steps, self._at) < NEAR * steps.min()
+            if (np.abs(steps - self._at)[near] <= CHANGE * self._at[near]).all():
+                return
+        self._at = steps
+        self._estimate(float(steps.min()))
+
+    def _estimate(self, own: float) -> None:
+        dt, start = own, self._mode.z if self._mode else None
+        for _ in range(REPEATS):
+            mode = highest_mode(self.model, dt, start)
+            if not np.isfinite(mode.theta):
+                return  # the motion has diverged
+            if mode.theta <= 1.01:
+                break
+            dt, start = dt / mode.theta**0.5, mode.z
+        self._mode = mode
+        if mode.theta > 0.0:
+            self.ratio, self.stiff = (dt / own / part**0.5 for part in (mode.theta, mode.stiff))
+            self.bound = self.ratio * own
+            self.where = largest_share(self.model, mode, dt)
+
+
+def own_steps(model: Model, blocks: list[Elements]) -> Array:
+    """The own steps of all elements without bulk viscosity; one for all springs and dampers of a part."""
+    steps = [
+        block.steps(model.state.x) if isinstance(block, Scalable) else np.array([block.stable_step()])
+        for block in blocks
+    ]
+    return np.concatenate(steps)
+
+
+def largest_share(model: Model, mode: Mode, dt: float) -> str:
+    """The element whose nodes take most power from its part in the mode."""
+    shares = []
+    for block in model.blocks:
+        power = -np.sum(mode.velocity * response(model, [block], mode.velocity, dt), axis=1)
+        power = np.append(power, 0.0)
+        of_elements = power[block.nodes].sum(axis=1)  # the last, 0, is that of the ground
+        element = int(np.argmax(of_elements))
+        shares.append((float(of_elements[element]), f"{block.kind} {block.eid[element]} of part {block.pid}"))
+    return max(shares)[1]
