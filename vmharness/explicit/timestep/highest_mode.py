@@ -76,10 +76,10 @@ def highest_mode(model: Model, dt: float, start: Array | None = None) -> Mode:
     """The highest mode with the step `dt`; the iteration begins with the vector `start`, or with a random one."""
     motions = Motions(model)
     random = np.random.default_rng(0).standard_normal(motions.size)
-    if start is not None and start.size == motions.size:
-        random = start + 0.01 * np.abs(start).max() * random
     if not motions.size:
         return Mode(0.0, 0.0, random, np.zeros(motions.shape))
+    if start is not None and start.size == motions.size:
+        random = start + 0.01 * np.abs(start).max() * random
     distance = shortest_distance(model)
 
     def small(z: Array) -> tuple[float, Array]:
