@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from vmharness.case import Case
 from vmharness.case.format import as_line
+from vmharness.case.tolerance import allowed_difference
 from vmharness.formula import Unit
 from vmharness.history import History
 from vmharness.result import CaseRun
@@ -47,7 +48,7 @@ def _curve(run: CaseRun, history: History, name: str) -> Curve:
     time = np.linspace(history.time[0], history.time[-1], POINTS)
     computed, theory = history.at(name, time) / factor, run.case.curve(name, time) / factor
     size = float(np.abs(theory).max())
-    allowed = _allowed(run, name)
+    allowed = _allowed(run, name, factor)
     # Differences far below what is allowed are round-off; drawn, they would be noise that no two machines share.
     finest = max([1e-9 * size, *(1e-3 * difference for _, difference in allowed.values())])
     return Curve(
@@ -63,23 +64,25 @@ def _curve(run: CaseRun, history: History, name: str) -> Curve:
 
 
 def _unit(case: Case, name: str) -> str:
-    """The unit to draw a curve in: the declared one, or the consistent one."""
+    """The unit to draw a curve in: the declared one, that of results, first of the channel, or the consistent one."""
     line = as_line(case.file.curves[name])
     if line.unit is not None:
         return line.unit
     time = Unit(case.file.units.time).dimension
-    return case.units.name(case.formulas[f"curve {name}"].dimension({**case.dimensions, "t": time}))
+    dimension = case.formulas[f"curve {name}"].dimension({**case.dimensions, "t": time})
+    own_first = sorted(case.file.results, key=lambda result: result.channel != name)
+    alike = [result.unit for result in own_first if Unit(result.unit).dimension == dimension]
+    return alike[0] if alike else case.units.name(dimension)
 
 
-def _allowed(run: CaseRun, channel: str) -> dict[str, tuple[float, float]]:
-    """Times and sizes of the allowed differences: tolerances of the results of the channel."""
+def _allowed(run: CaseRun, channel: str, factor: float) -> dict[str, tuple[float, float]]:
+    """Times and sizes of the allowed differences by the results of the channel, in a unit of the size `factor`."""
     allowed = {}
     for row in run.rows:
         result = run.case.result(row.key)
         event = run.events.get(result.event)
         if result.channel == channel and event is not None and not isinstance(event, str):
-            difference = row.comparison.tolerance.allowed(row.comparison.target)
-            allowed[row.key] = (event.time, difference)
+            allowed[row.key] = (event.time, allowed_difference(run.case, row.key) / factor)
     return allowed
 
 
