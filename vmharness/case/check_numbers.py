@@ -14,7 +14,8 @@ def check_numbers(checks: Checks) -> None:
     """Raise CaseError, with its place, for the first number that is infinite or NaN."""
     for (table, *keys), value in _numbers(checks.file):
         if not math.isfinite(value):
-            raise checks.wrong(": ".join([f"[{table}]", *keys]), f"{value} is not a finite number")
+            entry = " ".join([f"[{table}]", *keys[:1]])
+            raise checks.wrong(": ".join([entry, *keys[1:]]), f"{value} is not a finite number")
 
 
 def _numbers(table: Any, place: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], float]]:

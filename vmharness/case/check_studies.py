@@ -39,6 +39,8 @@ def check_sweep(checks: Checks) -> None:
             raise checks.wrong(f"[sweep] ranges: {name}", "the first value must be below the second")
     for number, constraint in enumerate(plan.within, 1):
         place = f"[sweep] within: {number}"
+        if not constraint.low <= constraint.high:
+            raise checks.wrong(place, "low must not be above high")
         checks.unit(place, "", checks.formula(place, f"within {number}", constraint.formula))
     for name, text in plan.set.items():
         place = f"[sweep] set: {name}"

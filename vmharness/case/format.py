@@ -12,6 +12,7 @@ Formula = Annotated[
 Positive = Annotated[float, Meta(gt=0)]
 NotNegative = Annotated[float, Meta(ge=0)]
 Count = Annotated[int, Meta(ge=1)]
+Order = Annotated[float, Meta(ge=0.1, le=10, description="Order of accuracy of a method")]
 
 
 class Table(Struct, forbid_unknown_fields=True, frozen=True):
@@ -209,7 +210,7 @@ class Converge(Table, frozen=True):
         dict[Name, Formula], Meta(min_length=1, description="Given data at each level, as formulas of N")
     ]
     orders: Annotated[
-        dict[Name, Positive],
+        dict[Name, Order],
         Meta(min_length=1, description="The order that theory expects, by key of the result"),
     ]
     because: Annotated[Text, Meta(description="Why theory expects these orders")]
@@ -236,7 +237,9 @@ class Sweep(Table, frozen=True):
     set: Annotated[
         dict[Name, Formula], Meta(description="Given data that follow from those of the ranges, as formulas")
     ] = {}
-    points: Annotated[Count, Meta(description="Number of points, unless the command gives another")] = 200
+    points: Annotated[
+        int, Meta(ge=1, le=100_000, description="Number of points, unless the command gives another")
+    ] = 200
 
 
 class CaseFile(Table, frozen=True):
