@@ -94,7 +94,8 @@ def _coloured(status: Status) -> "Text":
 def _explain(outcome: Outcome, again: Mapping[str, str], debug: bool) -> None:
     """Say why a case did not pass: every result that does not, or the reason for which none could be judged."""
     lines = [_line(row) for row in _not_passed(outcome.run)]
-    reason = f": {outcome.reason}" if outcome.reason and not lines else ""
+    known = bool(lines) and outcome.run is not None and outcome.reason == outcome.run.reason
+    reason = f": {outcome.reason}" if outcome.reason and not known else ""
     say(f"{outcome.id}: {outcome.status}{reason}")
     for line in lines:
         say(f"  {line}")

@@ -11,7 +11,7 @@ from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.formula import FormulaError
 from vmharness.history import History
 from vmharness.measure import find_event
-from vmharness.review.run_length import beyond_the_end
+from vmharness.review.run_length import outside_run
 from vmharness.round_off import ROUND_OFF
 
 SAMPLES = 1001  # of a curve of theory over the run
@@ -24,7 +24,7 @@ def outside(case: Case, data: Mapping[str, float], own: Case, deck: Deck) -> lis
     """
     if found := outside_sweep(case, data, own):
         return found
-    return beyond_the_end(case, deck) or without_events(case, deck)
+    return outside_run(case, deck) or without_events(case, deck)
 
 
 def outside_sweep(case: Case, data: Mapping[str, float], own: Case) -> list[str]:

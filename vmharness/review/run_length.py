@@ -5,24 +5,29 @@ from vmharness.deck import Deck
 from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.round_off import ROUND_OFF
 
+START = 1e-6  # of the run: no solver has computed anything before
 MOST_STATES = 1e6  # of a published column: no code writes more
 
 
-def beyond_the_end(case: Case, deck: Deck) -> list[str]:
-    """Sentences on events that by theory are not before the end of the deck's run."""
+def outside_run(case: Case, deck: Deck) -> list[str]:
+    """Sentences on events that by theory are after the end of the deck's run, or at its very start."""
     end = deck.one(CONTROL_TERMINATION).endtim
+    places = {
+        f"[events] {name}: at = {event.at}": case.evaluate(f"at {name}")
+        for name, event in case.file.events.items()
+        if event.at is not None
+    }
+    places |= {
+        f"[results] {number}: {result.key}: target = {result.target}": case.target(result.key)
+        for number, result in enumerate(case.file.results, 1)
+        if result.channel == "time"
+    }
     wrong = []
-    for name, event in case.file.events.items():
-        if event.at is not None and (t := case.evaluate(f"at {name}")) > end * (1.0 + ROUND_OFF):
-            wrong.append(
-                f"[events] {name}: at = {event.at} is {t:.7g}, but the run of the deck ends at {end:.7g}"
-            )
-    for number, result in enumerate(case.file.results, 1):
-        if result.channel == "time" and (t := case.target(result.key)) > end * (1.0 + ROUND_OFF):
-            wrong.append(
-                f"[results] {number}: {result.key}: by theory the time is {t:.7g}, "
-                f"but the run of the deck ends at {end:.7g}"
-            )
+    for place, t in places.items():
+        if t > end * (1.0 + ROUND_OFF):
+            wrong.append(f"{place} is {t:.7g}, but the run of the deck ends at {end:.7g}")
+        elif t < START * end:
+            wrong.append(f"{place} is {t:.7g}: at the start of the run all values are those of the deck")
     return wrong
 
 

@@ -63,14 +63,14 @@ def refused(case: "Case") -> list[str]:
     from vmharness.deck import DeckError
     from vmharness.report import prose
     from vmharness.review.own_input import own_input
-    from vmharness.review.run_length import beyond_the_end, intervals
+    from vmharness.review.run_length import intervals, outside_run
     from vmharness.studies.faults import declared as faults
 
     tight, _ = tolerance.review(case)
     wrong = [*tight, *faults.review(case), *prose.review(case)]
     with suppress(DeckError):  # the solver says so
         deck = read_deck(case)
-        wrong += [*own_input(case, deck), *beyond_the_end(case, deck), *intervals(case, deck)]
+        wrong += [*own_input(case, deck), *outside_run(case, deck), *intervals(case, deck)]
         try:
             read_deck(_with_parameters_set(case))
         except DeckError as error:

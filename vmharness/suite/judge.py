@@ -82,12 +82,12 @@ def judge(case: "Case", solution: "Solution", began: float, closed: Callable[[st
         return Outcome(
             case.id, Status.DEFECT, f"{type(error).__name__}: {error}", traceback=traceback.format_exc()
         )
-    if not changed:
-        return Outcome(case.id, VERDICTS[judged.verdict], judged.reason, judged)
-    reason = "; ".join(filter(None, [*changed, judged.reason]))
-    if judged.verdict == "pass":  # of another problem than that of the theory
-        return Outcome(case.id, Status.BROKEN, reason)
-    return Outcome(case.id, VERDICTS[judged.verdict], reason, judged)
+    status = VERDICTS[judged.verdict]
+    if not changed or status is Status.UNJUDGED:
+        return Outcome(case.id, status, judged.reason, judged)
+    if status is Status.PASS:  # of another problem than that of the theory
+        return Outcome(case.id, Status.BROKEN, "; ".join(changed))
+    return Outcome(case.id, status, "; ".join(changed), judged)
 
 
 def _nothing(solver: str, reason: str) -> "Solution":
