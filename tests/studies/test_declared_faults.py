@@ -66,3 +66,30 @@ def test_a_reading_at_a_given_time_moves_with_the_theory_of_its_channel():
     expected = case_denser.curve("w", time)[0] / case.theory["w_1"] - 1.0
     assert moved.percent == pytest.approx(100.0 * expected, rel=1e-6)
     assert moved.percent < -1.0  # a slower beam, at the same time
+
+
+def test_a_fault_that_moves_only_the_level_is_none(fall):
+    # another node falls in the same way: where it is at the level, so is the first
+    other = 'other = { node = 2, component = "z-displacement", text = "Displacement" }\n'
+    curve = 'other = { formula = "-g*t^2/2", text = "Displacement" }\n'
+    level = 'crossing_of = "other", level = "z_T", direction = "down"'
+    two = (("[channels]\n", f"[channels]\n{other}"), ("[curves]\n", f"[curves]\n{curve}"))
+    (displacement, *_) = review(read(fall(*two, ('at = "T"', level))))
+    assert displacement == (
+        "[faults] 1 (Gravity 0.1 % too strong): z_T must fail, but only the level of its event moves: "
+        "where the faulty run reaches the sound level, it has the sound value"
+    )
+
+
+def test_a_fault_that_is_seen_at_a_moving_level_is_one(fall):
+    # a quarter of the way: the faulty fall is there earlier
+    level = ('at = "T"', 'crossing_of = "z", level = "-1.0*g*T^2/8", direction = "down"')
+    time = (
+        'channel   = "z"\ntarget    = "z_T"\nunit      = "m"',
+        'channel   = "time"\ntarget    = "T/2"\nunit      = "s"',
+    )
+    energy = ('must_fail = ["z_T", "ke_T"]', 'must_fail = ["z_T"]')
+    kinetic = ('target    = "ke_T"', 'target    = "ke_T/4"')
+    case = read(fall(level, time, energy, kinetic))
+    assert review(case) == []
+    assert moves(case, case.file.faults[0])["z_T"] is None  # by the targets alone it cannot be told

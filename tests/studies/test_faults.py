@@ -14,7 +14,15 @@ from vmharness.case.deck import read_deck
 from vmharness.studies.faults import deck_faults, plant
 from vmharness.studies.faults.deck_faults import CaseFault
 from vmharness.studies.faults.record import FaultsRecord, Noticed, coverage
-from vmharness.studies.faults.runs import StudyError, all_faults, finding, planted_in, record, solver_faults
+from vmharness.studies.faults.runs import (
+    StudyError,
+    all_faults,
+    finding,
+    planted_in,
+    record,
+    solver_faults,
+    unmoved,
+)
 from vmharness.studies.gather import gather
 from vmharness.studies.measured import Measured, Value
 from vmharness.studies.variant import Variant
@@ -105,6 +113,34 @@ def test_what_an_outcome_says_of_a_fault():
     assert one(Measured(failure="refused")).reason == "refused"
     with pytest.raises(StudyError, match="f: defect: PlantError"):
         one(Measured(failure="defect: PlantError: the text is gone"))
+
+
+def with_value(value, history="b", **others):
+    return Measured({"x": Value(1.0, value, 0.1, "pass")}, history_sha256=history, **others)
+
+
+@pytest.mark.parametrize(
+    ("others", "keys"),
+    [
+        ([with_value(1.0), with_value(1.0 + 1e-14)], ["x"]),  # the runs differ, and the result does not
+        ([with_value(1.0), with_value(1.001)], []),
+        ([with_value(1.0), with_value(None)], []),  # its event did not happen
+        ([with_value(1.0, "a")], []),  # the same run
+        ([with_value(1.0, failure="diverged"), with_value(1.0, lost=True)], []),
+        ([with_value(1.0), Measured(failure="refused")], ["x"]),
+        ([], []),
+    ],
+)
+def test_a_result_that_no_fault_changes_is_named(others, keys):
+    assert unmoved(SOUND, others) == keys
+
+
+def test_the_record_names_it_but_for_faults_of_the_reading():
+    case = read(CASES / "VM-061")
+    deck, reading = (CaseFault("G +1 %", "G", kind, Variant(case)) for kind in ("deck", "reading"))
+    outcomes = [with_value(1.0), with_value(1.001)]
+    assert record(case, SOUND, [deck, reading], outcomes).unmoved == ["x"]
+    assert record(case, SOUND, [deck, deck], outcomes).unmoved == []
 
 
 def test_a_run_that_is_ended_from_outside_is_not_judged():
