@@ -40,7 +40,7 @@ def test_what_the_solver_computes_is_a_result(fall):
 @pytest.mark.parametrize("change", [(NODE, HELD), ("*LOAD_BODY_Z", PRESCRIBED)])
 def test_a_motion_that_the_deck_gives_is_none(fall, change):
     (sentence,) = found(fall(change))
-    assert sentence.startswith("[results] 1: z_T: z is held or prescribed by the deck")
+    assert sentence.startswith("[results] 1: z_T: z is held or prescribed by the deck: ")
     assert "cannot disagree" in sentence
 
 
@@ -72,3 +72,21 @@ def test_only_the_direction_that_is_held_is_given(fall, component, given):
 def test_a_fixed_wall_has_a_force_but_no_motion(tmp_path, wall, component, given):
     deck = deck_of(tmp_path / "deck.k", vocabulary(), text=WALLS)
     assert is_given(deck, Channel(text="", wall=wall, component=component)) == given
+
+
+@pytest.mark.parametrize("held", [True, False])
+def test_the_centre_of_mass_of_a_single_node_is_that_node(fall, held):
+    centre = 'c = { centre = "all", component = "z-velocity", text = "Velocity" }\nv = { node = 1, '
+    speed = 'component = "z-velocity", text = "Velocity" }\n'
+    level = ('at = "T"', 'crossing_of = "c", level = "-g*T", direction = "down"')
+    velocity = (
+        'channel   = "z"\ntarget    = "z_T"\nunit      = "m"',
+        'channel = "v"\ntarget = "-g*T"\nunit = "m/s"',
+    )
+    other = f"{NODE}\n{NODE.replace('1', '2', 1)}"
+    nodes = (NODE, other[: -len("0       0")] + "7       0" if held else other)
+    sentences = found(fall(("[channels]\n", f"[channels]\n{centre}{speed}"), level, velocity, nodes))
+    assert len(sentences) == held
+    assert all(
+        "v and c are motions of the same node: there it is the level itself" in each for each in sentences
+    )

@@ -1,8 +1,11 @@
-"""Results that read only what the deck prescribes: motions of supports, of prescribed motions and of fixed walls."""
+"""Results that read only the deck's input: motions that it prescribes, and other names of the motion of their event."""
+
+import numpy as np
+from msgspec import structs
 
 from vmharness.case import Case
-from vmharness.case.format import Channel
-from vmharness.case.tautology import DERIVATIVES
+from vmharness.case.format import Channel, Result
+from vmharness.case.tautology import DERIVATIVES, tautology
 from vmharness.deck import Deck
 from vmharness.mesh.driven import driven, driven_bodies
 from vmharness.mesh.nodes import nodes_of
@@ -19,15 +22,25 @@ def own_input(case: Case, deck: Deck) -> list[str]:
     Raises DeckError where the deck refers to what it does not define.
     """
     given = {name for name, channel in case.file.channels.items() if is_given(deck, channel)}
-    wrong = []
-    for number, result in enumerate(case.file.results, 1):
-        read = case.file.events[result.event].of if result.channel == "time" else result.channel
-        if read in given:
-            wrong.append(
-                f"[results] {number}: {result.key}: {read} is held or prescribed by the deck, so that the "
-                "result reads only the deck's own input and cannot disagree: read a force, or another place"
-            )
-    return wrong
+    known = {result.key: _known(case, deck, result, given) for result in case.file.results}
+    return [
+        f"[results] {number}: {key}: {why}; this result cannot disagree with its target"
+        for number, (key, why) in enumerate(known.items(), 1)
+        if why
+    ]
+
+
+def _known(case: Case, deck: Deck, result: Result, given: set[str]) -> str:
+    """Why a result is known before a run, or nothing; the deck gives the channels `given`."""
+    event = case.file.events[result.event]
+    read = event.of if result.channel == "time" else result.channel
+    if read in given:
+        return f"{read} is held or prescribed by the deck: read a force, or another place"
+    if not event.of or result.channel == "time":
+        return ""
+    seen, other = (_of_node(deck, case.file.channels[name]) for name in (event.of, read))
+    why = tautology(event, seen, other)
+    return f"{read} and {event.of} are motions of the same node: {why}" if why else ""
 
 
 def is_given(deck: Deck, channel: Channel) -> bool:
@@ -49,6 +62,21 @@ def is_given(deck: Deck, channel: Channel) -> bool:
         rows = nodes_of_parts(deck, nodes, {channel.centre})
         return bool(rows.size) and bool(driven(deck, nodes)[rows, place].all())
     return False
+
+
+def _of_node(deck: Deck, channel: Channel) -> Channel:
+    """The channel of a centre of mass as that of a node, where only one of its nodes moves along the axis."""
+    axis, _, quantity = (channel.component or "").partition("-")
+    if channel.centre is None or axis not in AXES or quantity not in DERIVATIVES:
+        return channel
+    nodes = nodes_of(deck)
+    rows = np.arange(nodes.ids.size)
+    if isinstance(channel.centre, int):
+        rows = nodes_of_parts(deck, nodes, {channel.centre})
+    moving = rows[~driven(deck, nodes)[rows, AXES.index(axis)]]
+    return (
+        structs.replace(channel, centre=None, node=int(nodes.ids[moving[0]])) if moving.size == 1 else channel
+    )
 
 
 def _is_fixed_wall(deck: Deck, number: int) -> bool:
