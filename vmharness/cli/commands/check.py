@@ -73,9 +73,11 @@ def command(
 
 def _reviews(found: Sequence[Entry], solver: str, timeout: float) -> Iterator[tuple[Entry, Review]]:
     """The review of each case, made in another process."""
+    from vmharness.studies.sources import sources
+
     errors = last_run.errors(REPORTS)
     with Pool(1, calling, "vmharness.suite.check") as pool:
-        calls = [partial(_review, case, errors.get(case.id), solver) for case in found]
+        calls = [partial(_review, case, errors.get(case.id), solver, sources()) for case in found]
         for number, end in called(pool, calls, timeout):
             case = found[number]
             match end:
@@ -87,21 +89,16 @@ def _reviews(found: Sequence[Entry], solver: str, timeout: float) -> Iterator[tu
                     yield case, Review([f"{case.id}: cannot be checked: {error}"])
 
 
-def _review(case: Entry, errors: Mapping[str, float] | None, solver: str) -> Review:
-    """In a worker: the review of a case."""
-    review = check(case.folder, errors, solver)
-    if case.id == case.folder.name:
-        review.doubtful += _stale(case)
-    return review
-
-
-def _stale(case: Entry) -> list[str]:
-    """Sentences on studies in reports/ that are out of date."""
+def _review(case: Entry, errors: Mapping[str, float] | None, solver: str, sources: str) -> Review:
+    """In a worker: the review of a case, and sentences on its studies in reports/ that are out of date."""
     from vmharness.case.digest import inputs
     from vmharness.report.records import FOLDER, stale
-    from vmharness.studies.sources import sources
 
-    return stale(REPORTS / case.id / FOLDER, inputs(case.folder), sources())
+    review = check(case.folder, errors, solver)
+    studies = REPORTS / case.id / FOLDER
+    if studies.is_dir():
+        review.doubtful += stale(studies, inputs(case.folder), sources)
+    return review
 
 
 def _write(path: Path | None, reviews: dict[str, Review], decks: dict[str, Found]) -> None:
