@@ -47,7 +47,7 @@ KINDS = {
     "nested": (template(f"{{{{ {3000 * '('}n{3000 * ')'} }}}}"), "deck.k.j2:1: nested too deeply"),
     "large": (template("{{ 'a' * 10**11 }}"), "deck.k.j2:1: a text or list repeated"),
     "half": (template("{{ '\\ud800' }}"), "deck.k.j2:1: makes '\\ud800', which no file can hold"),
-    "caf\udce9": (lambda folder: None, "caf\\udce9/case.toml: the name of the folder is not text"),
+    "caf\udce9": (lambda folder: None, "caf\\udce9: the name of the folder is not text"),
 }
 
 
