@@ -90,10 +90,3 @@ def test_a_pipe_in_place_of_the_file(ball):
     os.mkfifo(folder / "case.toml")
     with pytest.raises(CaseError, match=r"case\.toml is not a file"):
         read(folder)
-
-
-def test_a_folder_whose_name_is_not_text(ball):
-    folder = ball()
-    other = folder.rename(Path(os.fsdecode(os.fsencode(folder.parent) + b"/caf\xe9")))
-    with pytest.raises(CaseError, match=r"caf\\udce9: the name of the folder is not text in UTF-8"):
-        read(other)

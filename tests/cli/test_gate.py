@@ -47,7 +47,7 @@ def test_a_case_that_cannot_be_read_does_not_stop_the_others(ball, here, vm):
     code, out, _ = vm("run")
     assert code == 4
     assert "2 case error, 1 pass" in out
-    assert "deep: case.toml is nested too deeply to be read" in out
+    assert "deep/case.toml:1: nested too deeply to be read" in out
     assert vm("check")[0] == 4
     assert vm("list")[0] == 0
 

@@ -7,6 +7,8 @@ from xml.etree import ElementTree
 
 import pytest
 
+from vmharness.execution.call import here as here_and_now
+
 KEYS = ["t_impact", "z_impact", "v_impact", "ke_impact", "t_peak", "z_peak"]
 TARGETS = [0.07198157507, -1.0, -27.7848879789, 193.0, 0.1004448598637, -1.5506656122]
 OTHER = {"id", "title", "solver", "verdict", "seconds", "cycles", "results"}
@@ -179,9 +181,11 @@ def test_a_folder_that_cannot_be_written_is_4_and_the_verdict_is_told(here, ball
 
 def test_a_defect_of_a_report_does_not_hide_the_verdict(ball, vm, monkeypatch):
     ball()
+    monkeypatch.setattr("vmharness.cli.pipeline.caller", lambda pool, timeout: here_and_now)
     monkeypatch.setattr("vmharness.report.write_case", lambda *run, **how: 1 / 0)
     code, out, _ = vm("run", "VM-061")
     assert code == 3
+    assert "the page cannot be made: ZeroDivisionError" in Path("reports/VM-061/README.md").read_text()
     assert "defect: the report of VM-061 cannot be written: ZeroDivisionError" in out
 
 

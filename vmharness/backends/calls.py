@@ -33,6 +33,11 @@ def supported(name: str) -> "Supported | None":
     return cast("Supported", _named(name, "supported", backends.supported)(name))
 
 
+def get_ready(name: str) -> None:
+    """Let the solver `name` import what it needs, if it has the optional function `get_ready`."""
+    _named(name, "get_ready", getattr(backend(name), "get_ready", lambda: None))()
+
+
 def identity(name: str) -> tuple[str, ...]:
     """As `vmharness.backends.identity`; raises BackendError where the solver cannot be asked for its version."""
     return _named(name, "found", backends.identity)(name)

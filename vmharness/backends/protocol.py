@@ -4,6 +4,7 @@
     found()                     its version and place, or why it cannot run here; takes a moment, computes nothing
     review(deck, channels)      what it cannot represent and what has no effect, without a run
     supported()                 what it supports of each keyword; may be missing: then nobody can tell beforehand
+    get_ready()                 imports that take long, so that they are no part of a run; may be missing
     reports(deck)               the energies that it can record of a deck, as channels by name
     solve(job)                  runs the deck; writes files in job.folder only
 

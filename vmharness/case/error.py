@@ -17,12 +17,3 @@ def near(name: str, known: Iterable[str]) -> str:
     known = list(known)
     found = get_close_matches(name, known, n=2, cutoff=0.6)
     return f"; did you mean {' or '.join(found)}?" if found else f"; there are: {', '.join(known) or 'none'}"
-
-
-def printable(name: str) -> str:
-    r"""A name of a file or folder as text: what is not, for example bytes that are not UTF-8, as escapes.
-
-    >>> print(printable("caf\udce9"), printable("VM-061"))
-    caf\udce9 VM-061
-    """
-    return name if name.isprintable() else ascii(name)[1:-1]

@@ -10,7 +10,7 @@ from vmharness.case.check import Checks
 from vmharness.case.check_numbers import check_numbers
 from vmharness.case.check_studies import check_converge, check_sweep, planned
 from vmharness.case.decode import FILE, decode
-from vmharness.case.error import CaseError, printable
+from vmharness.case.error import CaseError
 from vmharness.case.files import check_files
 from vmharness.case.prose import check_prose
 from vmharness.case.tautology import check_times
@@ -19,8 +19,6 @@ from vmharness.formula import UnitError, UnitSystem
 
 def read(folder: Path) -> Case:
     """The case in `folder`; raises CaseError with the file, the table and the wrong entry."""
-    if not folder.name.isprintable():
-        raise CaseError(f"{printable(folder.name)}: the name of the folder is not text in UTF-8; rename it")
     file = decode(folder / FILE)
     check_files(folder, file)
     try:

@@ -18,6 +18,7 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 
 SOLVER = "builtin"
 TIMEOUT = 600.0  # seconds
+READING = 60.0  # seconds, where a case is only read and checked
 TITLES = {"junit": "JUnit XML"}  # of export formats, where it is not the name in capitals
 FILE = File()
 FOLDER = click.Path(file_okay=False, path_type=Path)
@@ -43,7 +44,7 @@ def running(command: Command) -> Command:
         help="Change a datum in theory and deck; repeat the option for several data. Reports go to runs/.",
     )
     for option in (
-        _timeout(),
+        timeout_option(TIMEOUT, "run"),
         data,
         solver_option(),
         _jobs_option("1", "Number of worker processes; auto: one for each core.  [default: 1]"),
@@ -68,7 +69,7 @@ def studying(command: Callable[..., Any]) -> Callable[..., Any]:
             metavar="DIR",
             help="Folder for the reports.  [default: reports]",
         ),
-        _timeout(),
+        timeout_option(TIMEOUT, "run"),
         solver_option(),
         _jobs_option("auto", "Number of worker processes.  [default: auto, one for each core]"),
     )
@@ -77,14 +78,15 @@ def studying(command: Callable[..., Any]) -> Callable[..., Any]:
     return together
 
 
-def _timeout() -> Callable[[Command], Command]:
+def timeout_option(default: float, of: str = "case") -> Callable[[Command], Command]:
+    """Add --timeout."""
     return click.option(
         "--timeout",
         type=click.FloatRange(0, min_open=True),
-        default=TIMEOUT,
+        default=default,
         metavar="SECONDS",
         callback=_number,
-        help=f"Time limit of each run.  [default: {TIMEOUT:g}]",
+        help=f"Time limit of each {of}.  [default: {default:g}]",
     )
 
 

@@ -6,17 +6,22 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
+import click
+
 from vmharness.case import settings
 from vmharness.cli import reports
 from vmharness.cli.progress import case_bars
 from vmharness.cli.say import complain, say
-from vmharness.cli.selection import read_cases
+from vmharness.execution.call import Call, Caller, caller
+from vmharness.execution.message import Done, Lost, Raised
 from vmharness.execution.pool import Pool
 from vmharness.suite import last_run
 from vmharness.suite.judge import judged, solving
 from vmharness.suite.outcome import Outcome, Status, Unwritten
+from vmharness.suite.read import read_cases, reader
 from vmharness.suite.select import Entry
 
+IMPORTS = 30.0  # seconds for the packages of a page, which are no work of a case
 NOT_REACHED = "interrupted before it was finished"
 
 
@@ -45,22 +50,27 @@ def run_cases(found: Sequence[Entry], wanted: Wanted) -> tuple[list[Outcome], li
     """
     unwritten: list[Unwritten] = []
     _record(wanted, [Outcome(case.id, Status.NOT_RUN, NOT_REACHED) for case in found])
-    with Pool(
-        min(wanted.jobs, len(found)), solving, wanted.solver
-    ) as pool:  # workers start while cases are read
-        cases, outcomes = read_cases(found, wanted.data)
+    with (
+        reader() as desk,  # where cases are read and judged, and pages made
+        Pool(min(wanted.jobs, len(found)), solving, wanted.solver) as pool,  # gets ready meanwhile
+    ):
+        try:
+            cases, outcomes = read_cases(desk, found, wanted.data, wanted.timeout)
+        except settings.RegionError as error:
+            raise click.UsageError(f"--set: {error}") from None
         _record(wanted, outcomes)
-        for broken in outcomes:
-            unwritten += _page(broken, wanted)
-        _say_notice(wanted.solver)
+        call = caller(desk, wanted.timeout + IMPORTS)
         if wanted.report:
-            reports.get_ready()
-        events = judged(pool, cases, wanted.solver, wanted.timeout)
+            call(partial(reports.get_ready))
+        for broken in outcomes:
+            unwritten += _page(call, broken, wanted)
+        _say_notice(wanted.solver)
+        events = judged(pool, cases, wanted.solver, wanted.timeout, call)
         try:
             for outcome in case_bars(events, [case.id for case in cases]):
                 outcomes.append(outcome)
                 _record(wanted, [outcome])
-                unwritten += _page(outcome, wanted)
+                unwritten += _page(call, outcome, wanted)
                 if len(cases) > 1:
                     say(f"{outcome.id}: {outcome.status}")
         except KeyboardInterrupt:
@@ -96,16 +106,30 @@ def write_files(outcomes: Sequence[Outcome], wanted: Wanted) -> list[Unwritten]:
     return [failed for what, write in tasks.items() for failed in reports.attempted(what, write)]
 
 
-def _page(outcome: Outcome, wanted: Wanted) -> list[Unwritten]:
+def _page(call: Caller, outcome: Outcome, wanted: Wanted) -> list[Unwritten]:
     """Write the page of an outcome; else the page of an earlier run would show a verdict that no longer holds."""
     if not wanted.report:
         return []
-    name = wanted.name(outcome.id)
+    what, name = f"the report of {outcome.id}", wanted.name(outcome.id)
+    unjudged = partial(reports.write_unjudged, name, root=wanted.root, indexed=wanted.index)
     if outcome.run is None:
-        write = partial(reports.write_unjudged, name, outcome.reason, wanted.root, wanted.index)
-    else:
-        write = partial(reports.write_page, outcome.run, wanted.root, name, wanted.index)
-    return reports.attempted(f"the report of {outcome.id}", write)
+        return _written(call, what, partial(unjudged, outcome.reason))
+    failed = _written(call, what, partial(reports.write_page, outcome.run, wanted.root, name, wanted.index))
+    for unwritten in failed:
+        _written(call, what, partial(unjudged, f"the page cannot be made: {unwritten.reason}"))
+    return failed
+
+
+def _written(call: Caller, what: str, write: Call) -> list[Unwritten]:
+    """Make the call that writes a file; returns the file that is not written if that fails, else nothing."""
+    match call(partial(reports.attempted, what, write)):
+        case Done(unwritten):
+            found: list[Unwritten] = unwritten
+            return found
+        case Lost(reason):
+            return [Unwritten(what, Status.UNWRITTEN, reason)]
+        case Raised(error, trace):
+            return [Unwritten(what, Status.DEFECT, error, trace)]
 
 
 def _say_notice(solver: str) -> None:

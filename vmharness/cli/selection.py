@@ -1,16 +1,15 @@
 """The cases that the arguments of a command select."""
 
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
 from vmharness.cli.say import complain, say
-from vmharness.suite.check import accepted
-from vmharness.suite.outcome import Outcome, Status
-from vmharness.suite.select import FILE, Entry, SelectError, cases_folder, entries, read_case, select
+from vmharness.suite.outcome import Outcome
+from vmharness.suite.read import read_cases, reader
+from vmharness.suite.select import FILE, Entry, SelectError, cases_folder, entries, select
 
 if TYPE_CHECKING:
     from vmharness.case import Case
@@ -67,8 +66,10 @@ def selected(
     return found, unknown
 
 
-def one(selector: str, cases: Path | None) -> "Case":
+def one(selector: str, cases: Path | None, timeout: float) -> "Case":
     """Read the one case that `selector` selects; raises CaseError, or UsageError if it selects none or several."""
+    from vmharness.case import CaseError
+
     try:
         found, unknown = select(cases_folder(cases), (selector,))
     except SelectError as error:
@@ -77,44 +78,15 @@ def one(selector: str, cases: Path | None) -> "Case":
         raise click.UsageError(problem)
     if len(found) > 1:
         raise click.UsageError(f"{selector} selects {len(found)} cases; select one")
-    return accepted(found[0])
+    read, broken = read_apart(found, timeout)
+    for outcome in broken:
+        raise CaseError(outcome.reason)
+    return read[0]
 
 
-def read_cases(
-    found: Sequence[Entry], data: Mapping[str, float], reviewed: bool = True
+def read_apart(
+    found: Sequence[Entry], timeout: float, reviewed: bool = True
 ) -> tuple[list["Case"], list[Outcome]]:
-    """The cases with their `data` set, and the outcomes of the cases that are wrong; to be shown, none is `reviewed`.
-
-    Raises UsageError if the events of a case do not happen for these data.
-    """
-    from vmharness.case import CaseError
-    from vmharness.case.settings import RegionError
-
-    cases: list[Case] = []
-    broken: list[Outcome] = []
-    outside: list[str] = []
-    for entry in found:
-        try:
-            case = accepted(entry) if reviewed else read_case(entry)
-            cases.append(_with_data(case, data) if data else case)
-        except RegionError as error:
-            outside.append(str(error))
-        except CaseError as error:
-            broken.append(Outcome(entry.id, Status.BROKEN, str(error)))
-    if outside:
-        raise click.UsageError("--set: " + "\n".join(outside))
-    return cases, broken
-
-
-def _with_data(own: "Case", data: Mapping[str, float]) -> "Case":
-    """The case with other data; raises RegionError if its events do not happen for them."""
-    from vmharness.case.deck import read_deck
-    from vmharness.case.settings import RegionError, with_settings
-    from vmharness.deck import DeckError
-    from vmharness.review.region import outside
-
-    case = with_settings(own, data)
-    with suppress(DeckError):  # the solver says so
-        if wrong := outside(case, data, own, read_deck(case)):
-            raise RegionError(f"{own.id}: {'; '.join(wrong)}")
-    return case
+    """The cases, read in another process within `timeout` seconds each, and the outcomes of those that are wrong."""
+    with reader() as pool:
+        return read_cases(pool, found, {}, timeout, reviewed)

@@ -1,6 +1,7 @@
 """Work of a worker that calls what it is given."""
 
-from collections.abc import Iterator, Sequence
+import traceback
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from importlib import import_module
 from typing import Any
@@ -10,6 +11,8 @@ from vmharness.execution.pool import Pool
 from vmharness.execution.worker import Report, Work
 
 Call = partial[Any]  # of a function and arguments that can be pickled
+End = Done | Raised | Lost
+Caller = Callable[[Call], End]
 
 
 def calling(*needed: str) -> Work:
@@ -23,8 +26,26 @@ def calling(*needed: str) -> Work:
     return work
 
 
-def called(pool: Pool, calls: Sequence[Call], timeout: float) -> Iterator[tuple[int, Done | Raised | Lost]]:
+def called(pool: Pool, calls: Sequence[Call], timeout: float) -> Iterator[tuple[int, End]]:
     """Yield (number of the call, how it ended); `timeout` is the limit of each."""
     for number, message in pool.each(calls, timeout):
-        if isinstance(message, Done | Raised | Lost):
+        if isinstance(message, End):
             yield number, message
+
+
+def caller(pool: Pool, timeout: float) -> Caller:
+    """Makes one call after the other in a pool, with the limit `timeout` for each."""
+
+    def call(one: Call) -> End:
+        ((_, end),) = called(pool, [one], timeout)
+        return end
+
+    return call
+
+
+def here(call: Call) -> End:
+    """Make a call in this process, without a limit."""
+    try:
+        return Done(call())
+    except Exception as error:
+        return Raised(f"{type(error).__name__}: {error}", traceback.format_exc())

@@ -78,6 +78,7 @@ def serving(solver: str, fault: str, plant: Plant | None) -> Work:
     from vmharness.run import run
 
     chosen = calls.solver(solver)
+    calls.get_ready(solver)
 
     def work(task: tuple[Variant, Path], progress: Report) -> Measured:
         variant, folder = task

@@ -1,4 +1,4 @@
-"""Cases solved in worker processes and judged here; a crash of a solver does not stop the others."""
+"""Cases solved in worker processes and judged; whatever one does, or a solver, does not stop the others."""
 
 import time
 import traceback
@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
+from vmharness.execution.call import Caller, here
 from vmharness.execution.folders import WorkFolders
 from vmharness.execution.message import Began, Done, Lost, Message, Raised
 from vmharness.execution.pool import Pool
@@ -31,6 +32,7 @@ def solving(solver: str) -> Work:
 
     try:
         chosen = calls.solver(solver)
+        calls.get_ready(solver)
     except BackendError as error:
         missing = _nothing(solver, str(error))
         return lambda task, progress: missing
@@ -45,49 +47,67 @@ def solving(solver: str) -> Work:
 
 
 def judged(
-    pool: Pool, cases: Sequence["Case"], solver: str, timeout: float
+    pool: Pool, cases: Sequence["Case"], solver: str, timeout: float, call: Caller = here
 ) -> Iterator[tuple[int, Message | Outcome]]:
-    """Yield (number of the case, Began or Progress or its Outcome), each outcome as soon as it is known."""
+    """Yield (number of the case, Began or Progress or its Outcome), each outcome as soon as it is known.
+
+    A case is judged by a `call`, which may have a time limit of its own.
+    """
     began: dict[int, float] = {}
     with ExitStack() as stack:
         folders = stack.enter_context(WorkFolders())  # left last, when nothing is written there any more
         tasks = [(case, folders.folder(number)) for number, case in enumerate(cases)]
         for number, message in stack.enter_context(closing(pool.each(tasks, timeout))):
-            case = cases[number]
+            case, closed = cases[number], partial(folders.close, number)
             match message:
                 case Began():
                     began[number] = time.perf_counter()
                     yield number, message
                 case Done(solution):
-                    yield number, judge(case, solution, began[number], partial(folders.close, number))
+                    yield number, _outcome(call, case, solution, closed, time.perf_counter() - began[number])
                 case Lost(reason):
                     nothing = _nothing(solver, reason)
-                    yield number, judge(case, nothing, began[number], partial(folders.close, number))
+                    yield number, _outcome(call, case, nothing, closed, time.perf_counter() - began[number])
                 case Raised(error, trace):
-                    reason = folders.close(number, error)
-                    yield number, Outcome(case.id, Status.DEFECT, reason, traceback=trace)
+                    yield number, Outcome(case.id, Status.DEFECT, closed(error), traceback=trace)
                 case _:
                     yield number, message
 
 
-def judge(case: "Case", solution: "Solution", began: float, closed: Callable[[str], str] = str) -> Outcome:
-    """What is to be said of a case whose solver gave `solution`; `closed` adds to its failure where its files are."""
-    from vmharness import run
-
+def _outcome(
+    call: Caller, case: "Case", solution: "Solution", closed: Callable[[str], str], seconds: float
+) -> Outcome:
+    """The outcome of a case; `closed` adds to a failure where the files of the run are."""
     try:
         solution = replace(solution, failure=closed(solution.failure))
-        judged = replace(run.judge(case, solution), seconds=time.perf_counter() - began)
-        changed = changed_values(case)
-    except Exception as error:  # of the harness: the solver is done
-        return Outcome(
-            case.id, Status.DEFECT, f"{type(error).__name__}: {error}", traceback=traceback.format_exc()
-        )
+    except Exception as error:  # of the harness: this is no solution
+        return _defect(case, f"{type(error).__name__}: {error}", traceback.format_exc())
+    match call(partial(judge, case, solution, seconds)):
+        case Done(outcome):
+            found: Outcome = outcome
+            return found
+        case Lost(reason):
+            return Outcome(case.id, Status.UNJUDGED, f"could not be judged: {reason}")
+        case Raised(error=what, traceback=trace):
+            return _defect(case, what, trace)
+
+
+def judge(case: "Case", solution: "Solution", seconds: float) -> Outcome:
+    """What is to be said of a case whose solver gave `solution` after `seconds`."""
+    from vmharness import run
+
+    judged = replace(run.judge(case, solution), seconds=seconds)
+    changed = changed_values(case)
     status = VERDICTS[judged.verdict]
     if not changed or status is Status.UNJUDGED:
         return Outcome(case.id, status, judged.reason, judged)
     if status is Status.PASS:  # of another problem than that of the theory
         return Outcome(case.id, Status.BROKEN, "; ".join(changed))
     return Outcome(case.id, status, "; ".join(changed), judged)
+
+
+def _defect(case: "Case", error: str, trace: str) -> Outcome:
+    return Outcome(case.id, Status.DEFECT, error, traceback=trace)
 
 
 def _nothing(solver: str, reason: str) -> "Solution":

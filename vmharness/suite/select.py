@@ -1,6 +1,7 @@
 """Selection of cases by id, pattern, path, words and tags; only titles and tags are read."""
 
 import difflib
+import os
 import tomllib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from vmharness.case import Case
 
 FILE = "case.toml"
+MOST = 10**6  # bytes of it
 
 
 class SelectError(ValueError):
@@ -30,8 +32,17 @@ class Entry:
 
     @property
     def id(self) -> str:
-        """The folder's name."""
-        return self.folder.name
+        """The folder's name, as text."""
+        return printable(self.folder.name)
+
+
+def printable(name: str) -> str:
+    r"""A name of a file or folder as text: what is not, for example bytes that are not UTF-8, as escapes.
+
+    >>> print(printable("caf\udce9"), printable("VM-061"))
+    caf\udce9 VM-061
+    """
+    return name if name.isprintable() else ascii(name)[1:-1]
 
 
 def cases_folder(chosen: Path | None = None) -> Path:
@@ -53,13 +64,14 @@ def cases_folder(chosen: Path | None = None) -> Path:
 
 def entries(folder: Path) -> list[Entry]:
     """The cases in a folder, by id."""
-    return sorted((entry(path.parent) for path in folder.glob(f"*/{FILE}")), key=lambda found: found.id)
+    found = (entry(path) for path in folder.iterdir() if os.path.lexists(path / FILE))
+    return sorted(found, key=lambda found: found.id)
 
 
 def entry(folder: Path) -> Entry:
     """Title and tags of a case; empty for a file that is not TOML, which is an error when the case is read."""
     try:
-        table = tomllib.loads((folder / FILE).read_text(encoding="utf-8"))
+        table = tomllib.loads(_text(folder / FILE))
     except (OSError, ValueError, RecursionError, MemoryError):
         table = {}
     tags = table.get("tags", ())
@@ -67,16 +79,23 @@ def entry(folder: Path) -> Entry:
     return Entry(folder, str(table.get("title", "")), known)
 
 
+def _text(path: Path) -> str:
+    """The content of a file; ValueError if it is a pipe or device, which has no end, or is too long for a case."""
+    if not path.is_file() or path.stat().st_size > MOST:
+        raise ValueError(f"{path} is no file of at most {MOST} bytes")
+    return path.read_text(encoding="utf-8")
+
+
 def read_case(case: Entry) -> "Case":
     """Read and check a case; raises CaseError for whatever is wrong, so that it is the outcome of this case alone."""
     from vmharness.case import CaseError, read
 
+    if case.id != case.folder.name:
+        raise CaseError(f"{case.id}: the name of the folder is not text in UTF-8; rename it")
     try:
         return read(case.folder)
     except CaseError:
         raise
-    except RecursionError:
-        raise CaseError(f"{case.id}: {FILE} is nested too deeply to be read") from None
     except Exception as error:
         raise CaseError(f"{case.id}: cannot be read: {type(error).__name__}: {error}") from error
 

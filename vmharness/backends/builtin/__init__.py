@@ -53,6 +53,11 @@ def reports(deck: "Deck") -> "dict[str, Channel]":
     return energies(deck)
 
 
+def get_ready() -> None:
+    """Import the solver and its compiler, before the time of a run begins."""
+    from vmharness.backends.builtin import cycles  # noqa: F401
+
+
 def solve(job: Job) -> Output:
     """Run the deck and record the channels every cycle."""
     from vmharness.backends.builtin.cycles import run

@@ -1,14 +1,19 @@
 """`vm check`: checks of cases and decks that need no run."""
 
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import click
 
 from vmharness.cli.deck import Found, as_objects, check_deck, is_deck, is_good, say_deck
-from vmharness.cli.options import FILE, solver_option
+from vmharness.cli.options import FILE, READING, solver_option, timeout_option
 from vmharness.cli.say import complain, say, write_file
 from vmharness.cli.selection import selected, selecting
+from vmharness.execution.call import called, calling
+from vmharness.execution.message import Done, Lost, Raised
+from vmharness.execution.pool import Pool
 from vmharness.suite import last_run
 from vmharness.suite.check import Review, check
 from vmharness.suite.outcome import EXIT_CODES, NOTHING_SELECTED, Status
@@ -20,6 +25,7 @@ REPORTS = Path("reports")
 @click.command("check")
 @selecting
 @solver_option()
+@timeout_option(READING)
 @click.option("--json", type=FILE, metavar="FILE", help="Also write the findings as JSON.")
 def command(
     selectors: tuple[str, ...],
@@ -27,6 +33,7 @@ def command(
     words: str,
     tags: tuple[str, ...],
     solver: str,
+    timeout: float,
     json: Path | None,
 ) -> int:
     """Check cases, or deck files; run nothing.
@@ -51,10 +58,9 @@ def command(
     if not found:
         complain("nothing selected")
         return NOTHING_SELECTED
-    errors, reviews = last_run.errors(REPORTS), {}
-    for case in found:
-        review = reviews[case.id] = check(case.folder, errors.get(case.id), solver)
-        review.doubtful += _stale(case)
+    reviews = {}
+    for case, review in _reviews(found, solver, timeout):
+        reviews[case.id] = review
         say(f"{case.id}: {'wrong' if review.wrong else 'ok'}")
         for sentence in review.wrong:
             say(f"  {sentence}")
@@ -65,13 +71,34 @@ def command(
     return 0 if sound else EXIT_CODES[Status.BROKEN]
 
 
-def _stale(case: Entry) -> list[str]:
-    """Sentences on studies in reports/ that are out of date."""
-    from vmharness.case.digest import inputs
-    from vmharness.report.records import FOLDER, stale
+def _reviews(found: Sequence[Entry], solver: str, timeout: float) -> Iterator[tuple[Entry, Review]]:
+    """The review of each case, made in another process."""
     from vmharness.studies.sources import sources
 
-    return stale(REPORTS / case.id / FOLDER, inputs(case.folder), sources())
+    errors = last_run.errors(REPORTS)
+    with Pool(1, calling, "vmharness.suite.check") as pool:
+        calls = [partial(_review, case, errors.get(case.id), solver, sources()) for case in found]
+        for number, end in called(pool, calls, timeout):
+            case = found[number]
+            match end:
+                case Done(review):
+                    yield case, review
+                case Lost(reason):
+                    yield case, Review([f"{case.id}: cannot be checked: {reason}"])
+                case Raised(error):
+                    yield case, Review([f"{case.id}: cannot be checked: {error}"])
+
+
+def _review(case: Entry, errors: Mapping[str, float] | None, solver: str, sources: str) -> Review:
+    """In a worker: the review of a case, and sentences on its studies in reports/ that are out of date."""
+    from vmharness.case.digest import inputs
+    from vmharness.report.records import FOLDER, stale
+
+    review = check(case.folder, errors, solver)
+    studies = REPORTS / case.id / FOLDER
+    if studies.is_dir():
+        review.doubtful += stale(studies, inputs(case.folder), sources)
+    return review
 
 
 def _write(path: Path | None, reviews: dict[str, Review], decks: dict[str, Found]) -> None:

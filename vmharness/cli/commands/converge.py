@@ -31,7 +31,7 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
     from vmharness.studies.converge.runs import record, variants
 
     try:
-        case = one(selector, cases)
+        case = one(selector, cases, how.timeout)
         runs = variants(case)
     except CaseError as error:
         complain(str(error))

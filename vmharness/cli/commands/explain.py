@@ -35,7 +35,7 @@ def command(selector: str, cases: Path | None, how: How, out: Path, json: Path |
     from vmharness.studies.explain.runs import record, variants
 
     try:
-        case = one(selector, cases)
+        case = one(selector, cases, how.timeout)
         runs = variants(case)
         outcomes = gathered(list(runs.values()), how, f"explain {case.id}")
         found = record(case, dict(zip(runs, outcomes, strict=True)))

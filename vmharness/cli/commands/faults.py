@@ -8,7 +8,7 @@ import click
 from vmharness.cli.gathering import gathered, write_record
 from vmharness.cli.options import How, studying
 from vmharness.cli.say import complain, plain_table, say, say_table, write_file
-from vmharness.cli.selection import read_cases, selected, selecting
+from vmharness.cli.selection import read_apart, selected, selecting
 from vmharness.suite.outcome import EXIT_CODES, NOTHING_SELECTED, Status, exit_code
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ def command(
     if not found:
         complain("nothing selected")
         return NOTHING_SELECTED
-    sound, broken = read_cases(found, {})
+    sound, broken = read_apart(found, how.timeout)
     for outcome in broken:
         complain(outcome.reason)
     detections, unjudged = _detections(sound, how)

@@ -5,9 +5,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vmharness.cli.options import solver_option
+from vmharness.cli.options import READING, solver_option, timeout_option
 from vmharness.cli.say import complain, plain_table, say, say_table
-from vmharness.cli.selection import CASES, read_cases, selected
+from vmharness.cli.selection import CASES, read_apart, selected
 from vmharness.suite.outcome import EXIT_CODES, NOTHING_SELECTED, Status
 
 if TYPE_CHECKING:
@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 @click.argument("selector", metavar="ID")
 @CASES
 @solver_option()
-def command(selector: str, cases: Path | None, solver: str) -> int:
+@timeout_option(READING)
+def command(selector: str, cases: Path | None, solver: str, timeout: float) -> int:
     """Show a case: data, theory, deck, tolerances, faults.
 
     Each formula of the theory is shown with its value.
@@ -29,7 +30,7 @@ def command(selector: str, cases: Path | None, solver: str) -> int:
     if not found:
         complain("nothing selected")
         return NOTHING_SELECTED
-    sound, broken = read_cases(found, {}, reviewed=False)
+    sound, broken = read_apart(found, timeout, reviewed=False)
     for outcome in broken:
         complain(outcome.reason)
     for case in sound:

@@ -55,7 +55,7 @@ def command(
     if points is not None and grid is not None:
         raise click.UsageError("use either --points or --grid, not both")
     try:
-        case = one(selector, cases)
+        case = one(selector, cases, how.timeout)
         chosen, words = sweep.points(case, points, seed, grid)
     except CaseError as error:
         complain(str(error))
