@@ -3,6 +3,7 @@
 from vmharness.formula import Formula, Unit, equation, pieces
 from vmharness.report.number import given, short
 from vmharness.report.page import Datum, Page, TheoryLine
+from vmharness.report.width import ems
 
 
 def theory(line: TheoryLine, page: Page) -> str:
@@ -13,12 +14,14 @@ def theory(line: TheoryLine, page: Page) -> str:
 
 
 def theory_pieces(line: TheoryLine, page: Page) -> list[str]:
-    """The same as MathML, in pieces between which a page may break the line."""
+    """The same as MathML, in pieces between which a page may break the line, each with its width in em."""
     if line.value is None:
         parts = pieces(line.name, line.formula)
     else:
         parts = pieces(line.name, line.formula, short(line.value), line.unit, values=_values(page))
-    return [part.replace(' display="block"', ' displaystyle="true"') for part in parts]
+    return [
+        part.replace(' display="block"', f' displaystyle="true" style="--ems: {ems(part)}"') for part in parts
+    ]
 
 
 def _values(page: Page) -> dict[str, str]:
