@@ -140,6 +140,7 @@ def test_pieces_of_an_equation_are_its_steps_and_the_terms_of_their_sums() -> No
     assert parts[-1] == r"= -15 \thinspace \mathrm{mm}"
     assert " ".join(parts) == equation("x", formula, "-15", Unit("mm"), values=values)
     assert pieces("h", Formula("2"), "2", notation="latex") == ["h = 2"]
+    assert pieces("F", Formula("F"), notation="latex") == ["F"]
 
 
 def test_the_sign_of_a_piece_stands_between_terms() -> None:

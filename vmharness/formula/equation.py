@@ -57,7 +57,7 @@ def pieces(
     (symbol,), *steps = _steps(name, formula, value, unit, values, symbols, to)
     apart = [(to.sign("=="), first, more) for first, *more in steps]
     lines = [line for equals, first, more in apart for line in (to.row(equals, first), *more)]
-    return [to.display(to.row(symbol, lines[0])), *map(to.display, lines[1:])]
+    return [to.display(to.row(symbol, *lines[:1])), *map(to.display, lines[1:])]
 
 
 def _steps(

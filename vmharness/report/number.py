@@ -74,6 +74,18 @@ def positional(value: float | None, digits: int = 3) -> str:
     return f"{Decimal(f'{value:.{digits}g}').normalize():f}"
 
 
+def error(percent: float | None, tolerance: float | None) -> str:
+    """An error in percent, to a hundredth of its tolerance; one far out of tolerance to four digits.
+
+    >>> error(6.5e-6, 5e-5), error(-0.44294, 1.0), error(3.456789, 0.001), error(2e-12, 5e-11), error(1e-16, 0.1)
+    ('0.0000065', '-0.44', '3.457', '2e-12', '0.000')
+    """
+    if percent is None or not tolerance or not math.isfinite(percent) or abs(percent) > 1e3 * tolerance:
+        return positional(percent, 4)
+    places = 2 - math.floor(math.log10(rounded(tolerance)))
+    return decimals(percent, max(places, 0)) if places < 10 else positional(percent, 2)
+
+
 def fraction(value: float | None, target: float, unit: str) -> str:
     """A number of an error budget: in percent of the target, or in its unit if the target is zero.
 

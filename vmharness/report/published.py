@@ -75,7 +75,7 @@ def _row(run: CaseRun, reading: Reading) -> list[str]:
         f"{_name(run, reading)} ({unit(reading.unit)})" if reading.unit else _name(run, reading),
         number.significant(reading.target),
         reading.published,
-        number.decimals(error, 3),
+        number.positional(error, 2),
         number.significant(reading.read),
         number.significant(reading.at),
         same,

@@ -1,9 +1,11 @@
 """Sentences of the pages that are the same in every format."""
 
+import math
 from collections.abc import Mapping
 
 from vmharness.compare import Verdict
-from vmharness.report.number import DASH, decimals, given, positional, share
+from vmharness.report import number
+from vmharness.report.number import DASH, given, positional, share
 from vmharness.report.page import Page, PlantedFault, worst_row
 from vmharness.result import CaseRun, Row
 from vmharness.round_off import ROUND_OFF, rounded
@@ -52,6 +54,24 @@ def used(row: Row | None) -> str:
     return "round-off" if nothing_else else share(row.used)
 
 
+def error(row: Row) -> str:
+    """The error of a result in percent, or in its unit if the target is zero; 0 if it is round-off alone."""
+    c = row.comparison
+    if c.target == 0.0:
+        return _in_unit(c.value, row)
+    return "0" if used(row) == "round-off" else number.error(c.error_percent, c.tolerance_percent)
+
+
+def tolerance(row: Row) -> str:
+    """The tolerance of a result in percent, or in its unit if the target is zero."""
+    c = row.comparison
+    return _in_unit(c.tolerance.absolute, row) if c.target == 0.0 else positional(c.tolerance_percent)
+
+
+def _in_unit(value: float, row: Row) -> str:
+    return f"{positional(value, 2)} {row.unit}".rstrip() if math.isfinite(value) else DASH
+
+
 def changes(page: Page) -> str:
     """The data that were set for this run, with the values of the case."""
     return ", ".join(
@@ -66,7 +86,10 @@ def changes(page: Page) -> str:
 def moves(fault: PlantedFault) -> list[tuple[str, str]]:
     """Each result that must fail, and how far the fault moves it by theory."""
     return [
-        (key, f"{decimals(moved.percent)} %, {rounded(moved.tolerances):.0f} × tolerance" if moved else "")
+        (
+            key,
+            f"{positional(moved.percent, 4)} %, {rounded(moved.tolerances):.0f} × tolerance" if moved else "",
+        )
         for key, moved in fault.moves.items()
     ]
 

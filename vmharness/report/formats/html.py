@@ -33,7 +33,7 @@ def case(page: Page, folder: Path) -> str:
             (name, prose.data_link(content, "text/plain")) for name, content in _inputs(page.run).items()
         ],
         prose={title: prose.html(text, pictures) for title, text in page.prose.items()},
-        theory=lambda line: equations.theory(line, page, "mathml"),
+        theory=lambda line: equations.theory_pieces(line, page),
         datum=lambda datum: equations.datum(datum, "mathml").replace(' display="block"', ""),
         wording=wording,
         provenance=provenance(page.run) if page.volatile else {},

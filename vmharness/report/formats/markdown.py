@@ -22,7 +22,7 @@ def case(page: Page, folder: Path) -> str:
         run=page.run,
         file=page.run.case.file,
         inputs=_inputs(page.run, folder),
-        theory=lambda line: equations.theory(line, page, "latex"),
+        theory=lambda line: equations.theory(line, page),
         datum=lambda datum: equations.datum(datum, "latex"),
         wording=wording,
     )
