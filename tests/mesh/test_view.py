@@ -156,3 +156,60 @@ def test_a_lumped_mass_leaves_the_centre_of_a_rigid_block_open(tmp_path):
     (tmp_path / "deck.k").write_text(RIGID + "*ELEMENT_MASS\n1,1,2.0\n")
     (block,) = view_of(read_text(tmp_path / "deck.k", vocabulary())).bodies
     assert block.centre is None
+
+
+MOVING = """*KEYWORD
+*NODE
+1,0.0,0.0,0.0
+2,2.0,0.0,0.0
+3,0.0,3.0,0.0
+*ELEMENT_DISCRETE
+1,1,1,2
+2,2,1,2
+*PART
+spring
+1,1,1
+*PART
+damper
+2,1,2
+*SECTION_DISCRETE
+1
+
+
+*MAT_SPRING_ELASTIC
+1,5.0
+*MAT_DAMPER_VISCOUS
+2,5.0
+*SET_NODE_LIST
+1
+1,2,3
+"""
+SPIN = "*INITIAL_VELOCITY_GENERATION\n1,3,2.0\n0.0,0.0,0.0,0.0,0.0,1.0\n"
+
+
+def moving(tmp_path, cards):
+    (tmp_path / "deck.k").write_text(MOVING + cards)
+    return view_of(read_text(tmp_path / "deck.k", vocabulary()))
+
+
+def test_a_damper_is_told_from_a_spring(tmp_path):
+    assert moving(tmp_path, "").dampers.tolist() == [False, True]
+
+
+def test_initial_velocities_of_a_rotation_are_across_the_arm(tmp_path):
+    places, directions = moving(tmp_path, SPIN).arrows["initial velocity"]
+    found = {tuple(at): tuple(along) for at, along in zip(places.tolist(), directions.tolist(), strict=True)}
+    assert found == {(2.0, 0.0, 0.0): (0.0, 1.0, 0.0), (0.0, 3.0, 0.0): (-1.0, 0.0, 0.0)}  # omega x r
+
+
+def test_a_model_at_rest_has_no_initial_velocity(tmp_path):
+    assert "initial velocity" not in moving(tmp_path, "").arrows
+
+
+def test_a_body_moves_as_its_own_card_says(tmp_path):
+    body = "*CONSTRAINED_NODAL_RIGID_BODY\n9,,1\n*INITIAL_VELOCITY_RIGID_BODY\n9,0.0,0.0,-4.0,0.0,7.0,0.0\n"
+    arrows = moving(tmp_path, SPIN + body).arrows
+    places, directions = arrows["initial velocity"]
+    assert places == pytest.approx(np.array([[2.0 / 3.0, 1.0, 0.0]]))
+    assert directions.tolist() == [[0.0, 0.0, -1.0]]
+    assert arrows["initial spin"][1].tolist() == [[0.0, 1.0, 0.0]]

@@ -16,6 +16,7 @@ from vmharness.deck.keywords.constrained.nodal_rigid_body import (
 )
 from vmharness.deck.keywords.constrained.rigid_bodies import CONSTRAINED_RIGID_BODIES
 from vmharness.deck.keywords.element.mass import ELEMENT_MASS
+from vmharness.deck.keywords.initial.velocity_rigid_body import INITIAL_VELOCITY_RIGID_BODY
 from vmharness.deck.keywords.mat.rigid import MAT_RIGID
 from vmharness.deck.keywords.part import PART, has_inertia
 from vmharness.mesh.elements import Elements
@@ -37,6 +38,9 @@ class Body:
     lines: Index  # (ne, 2) its beams
     centre: Array | None  # (3,) its centre of mass, where the deck says it
     fixed: bool  # the centre is held in x, y and z
+    motion: Array | None = (
+        None  # (2, 3) initial velocity and angular velocity, where a card of the body gives them
+    )
 
 
 def rigid_parts(deck: Deck) -> set[int]:
@@ -63,12 +67,14 @@ def bodies(deck: Deck, nodes: Nodes, shells: Elements, solids: Elements, beams: 
                 own[2].nodes,
                 _given(nodes, part) if has_inertia(part) else _centre(deck, nodes, own),
                 _fixed(deck, part),
+                _motion(deck, part, has_inertia(part)),
             )
     none = np.zeros((0, 4), np.intp), np.zeros((0, 2), np.intp)
     for entry in deck.all(CONSTRAINED_NODAL_RIGID_BODY, CONSTRAINED_NODAL_RIGID_BODY_INERTIA):
         given = entry.keyword is CONSTRAINED_NODAL_RIGID_BODY_INERTIA
         rows = node_set(deck, nodes, entry, "nsid" if entry.nsid else "pid")
-        yield Body(entry.pid, "", rows, *none, _given(nodes, entry) if given else None, False)
+        centre, motion = _given(nodes, entry) if given else None, _motion(deck, entry, given)
+        yield Body(entry.pid, "", rows, *none, centre, False, motion)
 
 
 def _extra(deck: Deck, nodes: Nodes, pids: set[int]) -> Iterator[Index]:
@@ -83,6 +89,15 @@ def _extra(deck: Deck, nodes: Nodes, pids: set[int]) -> Iterator[Index]:
 def _fixed(deck: Deck, part: Entry) -> bool:
     material = deck.find(MAT_RIGID, mid=part.mid)
     return bool(material.cmo == 1 and material.con1 == FIXED)
+
+
+def _motion(deck: Deck, definition: Entry, given: bool) -> Array | None:
+    """Velocity and angular velocity by *INITIAL_VELOCITY_RIGID_BODY, else by the cards of inertia, if there are any."""
+    names = ("vtx", "vty", "vtz", "vrx", "vry", "vrz")
+    for entry in deck.all(INITIAL_VELOCITY_RIGID_BODY):
+        if entry.pid == definition.pid:
+            definition, given, names = entry, True, ("vx", "vy", "vz", "vxr", "vyr", "vzr")
+    return np.array([definition.values[name] for name in names]).reshape(2, 3) if given else None
 
 
 def _given(nodes: Nodes, entry: Entry) -> Array:

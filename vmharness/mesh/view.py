@@ -15,12 +15,14 @@ from vmharness.deck.keywords.element.beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIE
 from vmharness.deck.keywords.element.discrete import ELEMENT_DISCRETE
 from vmharness.deck.keywords.element.mass import ELEMENT_MASS
 from vmharness.deck.keywords.element.solid import ELEMENT_SOLID
+from vmharness.deck.keywords.part import PART
 from vmharness.mesh.bodies import Body, bodies, rigid_parts
 from vmharness.mesh.elements import by_part, elements, shells
 from vmharness.mesh.loads import Arrows, arrows, gravity
 from vmharness.mesh.nodes import Array, Index, Nodes, nodes_of
 from vmharness.mesh.supports import supported
 from vmharness.mesh.surface import CONTACTS, SINGLE, TWO_WAY, all_faces, segments, surface_nodes
+from vmharness.mesh.velocities import velocities
 from vmharness.mesh.walls import Wall, walls
 
 BEAMS = (ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION)
@@ -53,6 +55,9 @@ class View:
     bodies: tuple[Body, ...] = ()
     joints: tuple[Joint, ...] = ()
     walls: tuple[Wall, ...] = ()
+    dampers: NDArray[np.bool_] = field(
+        default_factory=lambda: np.zeros(0, bool)
+    )  # (ne,) which of `discrete` are
     orienting: frozenset[int] = frozenset()  # rows of nodes that only turn cross-sections
 
     @property
@@ -65,7 +70,8 @@ def view_of(deck: Deck) -> View:
     """The view of a deck; raises DeckError if it refers to something that it does not define."""
     nodes = nodes_of(deck)
     masses = [nodes.find(table, "nid", table.nid) for table in deck.all(ELEMENT_MASS)]
-    discrete = by_part(elements(deck, nodes, 2, ELEMENT_DISCRETE)).nodes
+    discrete = by_part(elements(deck, nodes, 2, ELEMENT_DISCRETE))
+    discrete = discrete.only(discrete.nodes[:, 1] >= 0)  # without those to the ground
     every = (
         shells(deck, nodes),
         elements(deck, nodes, 8, ELEMENT_SOLID),
@@ -74,24 +80,31 @@ def view_of(deck: Deck) -> View:
     rigid, found = rigid_parts(deck), tuple(bodies(deck, nodes, *every))
     shell, solid, beam = (each.only(np.isin(each.pid, list(rigid), invert=True)).nodes for each in every)
     fixed = [body.nodes for body in found if body.fixed]
-    used = (*(each.nodes for each in every), discrete, *masses, *(body.nodes for body in found))
+    used = (*(each.nodes for each in every), discrete.nodes, *masses, *(body.nodes for body in found))
     return View(
         ids=nodes.ids,
         x=nodes.x0,
         shells=shell,
         solids=solid,
         beams=beam,
-        discrete=discrete[discrete[:, 1] >= 0],  # without those to the ground
+        discrete=discrete.nodes,
+        dampers=np.isin(discrete.pid, list(_dampers(deck))),
         masses=np.concatenate([np.zeros(0, np.intp), *masses]),
         supports=np.unique(np.concatenate([np.flatnonzero(supported(deck, nodes).any(axis=1)), *fixed])),
         gravity=gravity(deck),
         contacts=tuple(_contacts(deck, nodes)),
-        arrows=arrows(deck, nodes),
+        arrows={**arrows(deck, nodes), **velocities(deck, nodes, found)},
         bodies=found,
         joints=tuple(_joints(deck, nodes)),
         walls=tuple(walls(deck, nodes)),
         orienting=frozenset(_orienting(deck, nodes).difference(*(each.ravel().tolist() for each in used))),
     )
+
+
+def _dampers(deck: Deck) -> set[int]:
+    """Numbers of the parts whose material is a damper."""
+    mids = {entry.mid for entry in deck.entries if entry.keyword.name.startswith("MAT_DAMPER")}
+    return {part.pid for part in deck.all(PART) if part.mid in mids}
 
 
 def _orienting(deck: Deck, nodes: Nodes) -> set[int]:
