@@ -34,4 +34,4 @@ def test_a_run_of_another_schema_is_refused(here, vm):
     (here / "a.json").write_text('{"schema": 99, "version": "9", "cases": []}')
     code, _, complaint = vm("compare", "a.json", "a.json")
     assert code == 4
-    assert "a.json: schema 99, but only 1 can be read" in complaint
+    assert "a.json: schema 99, but only 2 can be read" in complaint

@@ -4,6 +4,9 @@ import signal
 from pathlib import Path
 
 import pytest
+from jsonschema import Draft202012Validator
+
+SCHEMA = Path(__file__).parents[2] / "docs" / "schema" / "results.schema.json"
 
 
 def workers_of(process):
@@ -32,11 +35,12 @@ def test_ctrl_c_keeps_what_is_done_and_ends_every_worker(ball, vm_process, name)
     assert "interrupted; finished cases are kept" in err
     assert "Traceback" not in out + err
     assert "2 not run, 1 pass" in out
-    assert [case["id"] for case in json.loads(Path("r.json").read_text())["cases"]] == [
-        "done",
-        "endless",
-        "never",
-    ]
+    results = json.loads(Path("r.json").read_text())
+    Draft202012Validator(json.loads(SCHEMA.read_text())).validate(results)
+    assert [case["id"] for case in results["cases"]] == ["done", "endless", "never"]
+    assert results["command"] == ["vm", "run", "done", "endless", "never", "--json", "r.json"]
+    assert [case["outcome"] for case in results["cases"]] == ["pass", "not run", "not run"]
+    assert all("interrupted" in case["reason"] for case in results["cases"][1:])
     assert Path("reports/done/index.html").is_file()
     last = json.loads(Path("reports/.last-run.json").read_text())
     statuses = {id: kept["status"] for id, kept in last.items()}

@@ -11,9 +11,13 @@ from vmharness.execution.call import here as here_and_now
 
 KEYS = ["t_impact", "z_impact", "v_impact", "ke_impact", "t_peak", "z_peak"]
 TARGETS = [0.07198157507, -1.0, -27.7848879789, 193.0, 0.1004448598637, -1.5506656122]
-OTHER = {"id", "title", "solver", "verdict", "seconds", "cycles", "results"}
+OTHER = {
+    "id", "title", "folder", "solver", "set", "outcome", "verdict", "reason", "started", "seconds", "cycles", "facts",
+    "notes", "sha256", "inputs_sha256", "results",
+}  # fmt: skip
 COLUMNS = {
-    "key", "label", "event", "unit", "target", "value", "error_percent", "tolerance_percent", "verdict", "published",
+    "key", "label", "event", "channel", "unit", "target", "value", "error", "error_percent", "tolerance",
+    "tolerance_percent", "share", "verdict", "reason", "published",
 }  # fmt: skip
 
 

@@ -3,8 +3,9 @@
 import contextlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -20,6 +21,10 @@ from vmharness.suite.judge import judged, solving
 from vmharness.suite.outcome import Outcome, Status, Unwritten
 from vmharness.suite.read import read_cases, reader
 from vmharness.suite.select import Entry
+from vmharness.suite.timed import Began, timed
+
+if TYPE_CHECKING:
+    from vmharness.export import Run
 
 IMPORTS = 30.0  # seconds for the packages of a page, which are no work of a case
 NOT_REACHED = "interrupted before it was finished"
@@ -67,7 +72,7 @@ def run_cases(found: Sequence[Entry], wanted: Wanted) -> tuple[list[Outcome], li
         _say_notice(wanted.solver)
         events = judged(pool, cases, wanted.solver, wanted.timeout, call)
         try:
-            for outcome in case_bars(events, [case.id for case in cases]):
+            for outcome in case_bars(timed(events), [case.id for case in cases]):
                 outcomes.append(outcome)
                 _record(wanted, [outcome])
                 unwritten += _page(call, outcome, wanted)
@@ -89,21 +94,30 @@ def _record(wanted: Wanted, outcomes: Sequence[Outcome]) -> None:
             last_run.write(wanted.root, outcomes)
 
 
-def write_files(outcomes: Sequence[Outcome], wanted: Wanted) -> list[Unwritten]:
+def write_files(
+    outcomes: Sequence[Outcome], found: Sequence[Entry], wanted: Wanted, began: Began
+) -> list[Unwritten]:
     """Write the index, the exports and the record for --lf; returns the files that could not be written."""
     from vmharness import report
     from vmharness.result import Unrun
+    from vmharness.suite.export import exported
 
     runs = [outcome.run for outcome in outcomes if outcome.run is not None]
     unrun = [Unrun(outcome.id, outcome.reason) for outcome in outcomes if outcome.run is None]
     tasks: dict[str, Callable[[], object]] = {}
+    run = cache(partial(exported, outcomes, found, wanted.solver, began))
     for name, path in wanted.files.items():
-        tasks[str(path)] = partial(reports.write_export, name, runs, unrun, path)
+        tasks[str(path)] = partial(_export, name, run, path)
     if wanted.index:
         tasks["the index"] = partial(report.write_index, runs, wanted.root, unrun)
     if not wanted.data:
         tasks[str(wanted.root / last_run.FILE)] = partial(last_run.write, wanted.root, outcomes)
     return [failed for what, write in tasks.items() for failed in reports.attempted(what, write)]
+
+
+def _export(name: str, run: "Callable[[], Run]", path: Path) -> None:
+    """Make the results for machines, and write them in an export format."""
+    reports.write_export(name, run(), path)
 
 
 def _page(call: Caller, outcome: Outcome, wanted: Wanted) -> list[Unwritten]:

@@ -2,7 +2,7 @@
 
 import contextlib
 import traceback
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
@@ -13,7 +13,8 @@ from vmharness.cli.say import write_file
 from vmharness.suite.outcome import Status, Unwritten
 
 if TYPE_CHECKING:
-    from vmharness.result import CaseRun, Unrun
+    from vmharness.export import Run
+    from vmharness.result import CaseRun
 
 NEEDED = (
     "vmharness.run",
@@ -50,11 +51,11 @@ def write_unjudged(id: str, reason: str, root: Path, indexed: bool) -> None:
     report.write_unjudged(Unrun(id, reason), root, indexed)
 
 
-def write_export(format: str, runs: list["CaseRun"], unrun: Sequence["Unrun"], path: Path) -> None:
-    """Write all runs, and the cases without a run, in an export format."""
+def write_export(format: str, run: "Run", path: Path) -> None:
+    """Write the results of a run in an export format."""
     from vmharness import report
 
-    write_file(path, report.render(format, runs, unrun))
+    write_file(path, report.render(format, run))
 
 
 def attempted(what: str, write: Callable[[], object]) -> list[Unwritten]:

@@ -56,7 +56,7 @@ def guarded(arguments: Sequence[str] | None) -> int:
     collect_rarely()
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # a request to end is an interrupt
     try:
-        code = vm.main(given, prog_name="vm", standalone_mode=False)
+        code = vm.main(given, prog_name="vm", standalone_mode=False, obj=given)
         return int(code or 0)
     except click.ClickException as error:
         error.show()

@@ -7,15 +7,34 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.deck import Deck
+from vmharness.deck.keywords.constrained.joint import (
+    CONSTRAINED_JOINT_REVOLUTE,
+    CONSTRAINED_JOINT_SPHERICAL,
+)
 from vmharness.deck.keywords.element.beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
 from vmharness.deck.keywords.element.discrete import ELEMENT_DISCRETE
 from vmharness.deck.keywords.element.mass import ELEMENT_MASS
 from vmharness.deck.keywords.element.solid import ELEMENT_SOLID
+from vmharness.deck.keywords.part import PART
+from vmharness.mesh.bodies import Body, bodies, rigid_parts
 from vmharness.mesh.elements import by_part, elements, shells
 from vmharness.mesh.loads import Arrows, arrows, gravity
 from vmharness.mesh.nodes import Array, Index, Nodes, nodes_of
 from vmharness.mesh.supports import supported
 from vmharness.mesh.surface import CONTACTS, SINGLE, TWO_WAY, all_faces, segments, surface_nodes
+from vmharness.mesh.velocities import velocities
+from vmharness.mesh.walls import Wall, walls
+
+BEAMS = (ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION)
+
+
+@dataclass(frozen=True)
+class Joint:
+    """A joint of two rigid bodies, at the row of a node."""
+
+    name: str
+    node: int
+    axis: Array | None  # (3,) of a revolute joint
 
 
 @dataclass(frozen=True)
@@ -24,7 +43,7 @@ class View:
 
     ids: NDArray[np.int64]  # (n,)
     x: Array  # (n, 3)
-    shells: Index  # (ne, 4)
+    shells: Index  # (ne, 4) deformable, as the solids and beams
     solids: Index  # (ne, 8)
     beams: Index  # (ne, 2) beams and trusses
     discrete: Index  # (ne, 2) springs and dampers between nodes
@@ -33,26 +52,80 @@ class View:
     gravity: Array  # (3,) acceleration that body loads give at t = 0
     contacts: tuple[tuple[Index, Index], ...]  # tracked rows (nt,), segments (ns, 4)
     arrows: Mapping[str, Arrows] = field(default_factory=dict)  # by what acts: places, directions
+    bodies: tuple[Body, ...] = ()
+    joints: tuple[Joint, ...] = ()
+    walls: tuple[Wall, ...] = ()
+    dampers: NDArray[np.bool_] = field(
+        default_factory=lambda: np.zeros(0, bool)
+    )  # (ne,) which of `discrete` are
+    orienting: frozenset[int] = frozenset()  # rows of nodes that only turn cross-sections
+
+    @property
+    def rows(self) -> Index:
+        """The rows of the nodes that are part of the model."""
+        return np.array([row for row in range(self.ids.size) if row not in self.orienting], np.intp)
 
 
 def view_of(deck: Deck) -> View:
     """The view of a deck; raises DeckError if it refers to something that it does not define."""
     nodes = nodes_of(deck)
     masses = [nodes.find(table, "nid", table.nid) for table in deck.all(ELEMENT_MASS)]
-    discrete = by_part(elements(deck, nodes, 2, ELEMENT_DISCRETE)).nodes
+    discrete = by_part(elements(deck, nodes, 2, ELEMENT_DISCRETE))
+    discrete = discrete.only(discrete.nodes[:, 1] >= 0)  # without those to the ground
+    every = (
+        shells(deck, nodes),
+        elements(deck, nodes, 8, ELEMENT_SOLID),
+        elements(deck, nodes, 2, *BEAMS),
+    )
+    rigid, found = rigid_parts(deck), tuple(bodies(deck, nodes, *every))
+    shell, solid, beam = (each.only(np.isin(each.pid, list(rigid), invert=True)).nodes for each in every)
+    fixed = [body.nodes for body in found if body.fixed]
+    used = (*(each.nodes for each in every), discrete.nodes, *masses, *(body.nodes for body in found))
     return View(
         ids=nodes.ids,
         x=nodes.x0,
-        shells=shells(deck, nodes).nodes,
-        solids=elements(deck, nodes, 8, ELEMENT_SOLID).nodes,
-        beams=elements(deck, nodes, 2, ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION).nodes,
-        discrete=discrete[discrete[:, 1] >= 0],  # without those to the ground
+        shells=shell,
+        solids=solid,
+        beams=beam,
+        discrete=discrete.nodes,
+        dampers=np.isin(discrete.pid, list(_dampers(deck))),
         masses=np.concatenate([np.zeros(0, np.intp), *masses]),
-        supports=np.flatnonzero(supported(deck, nodes).any(axis=1)),
+        supports=np.unique(np.concatenate([np.flatnonzero(supported(deck, nodes).any(axis=1)), *fixed])),
         gravity=gravity(deck),
         contacts=tuple(_contacts(deck, nodes)),
-        arrows=arrows(deck, nodes),
+        arrows={**arrows(deck, nodes), **velocities(deck, nodes, found)},
+        bodies=found,
+        joints=tuple(_joints(deck, nodes)),
+        walls=tuple(walls(deck, nodes)),
+        orienting=frozenset(_orienting(deck, nodes).difference(*(each.ravel().tolist() for each in used))),
     )
+
+
+def _dampers(deck: Deck) -> set[int]:
+    """Numbers of the parts whose material is a damper."""
+    mids = {entry.mid for entry in deck.entries if entry.keyword.name.startswith("MAT_DAMPER")}
+    return {part.pid for part in deck.all(PART) if part.mid in mids}
+
+
+def _orienting(deck: Deck, nodes: Nodes) -> set[int]:
+    """Rows of the third nodes of beams, which turn the cross-section."""
+    return {
+        int(row)
+        for table in deck.all(*BEAMS)
+        for row in nodes.find(table, "n3", table.n3, ground=True)
+        if row >= 0
+    }
+
+
+def _joints(deck: Deck, nodes: Nodes) -> Iterator[Joint]:
+    """The joints, each at its first node and with its number in the order of the deck."""
+    kinds = {CONSTRAINED_JOINT_SPHERICAL: "spherical", CONSTRAINED_JOINT_REVOLUTE: "revolute"}
+    entries = [entry for entry in deck.entries if entry.keyword in kinds]
+    for number, entry in enumerate(entries, 1):
+        row, axis = nodes.row(entry, "n1", entry.n1), None
+        if entry.keyword is CONSTRAINED_JOINT_REVOLUTE:
+            axis = nodes.x0[nodes.row(entry, "n3", entry.n3)] - nodes.x0[row]
+        yield Joint(f"{kinds[entry.keyword]} joint {number}", row, axis)
 
 
 def _contacts(deck: Deck, nodes: Nodes) -> Iterator[tuple[Index, Index]]:

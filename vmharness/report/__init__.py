@@ -5,6 +5,7 @@ from pathlib import Path
 
 from vmharness import plugins
 from vmharness.execution import atomic
+from vmharness.export import Run
 from vmharness.result import CaseRun, Unrun
 
 PAGES, FILES = "vmharness.report.formats", "vmharness.report.exports"
@@ -59,6 +60,6 @@ def formats() -> list[str]:
     return plugins.names(FILES)
 
 
-def render(name: str, runs: list[CaseRun], unrun: Sequence[Unrun] = ()) -> str:
-    """All runs, and the cases without a run, in the export format `name`."""
-    return str(plugins.module(FILES, name).render(runs, unrun))
+def render(name: str, run: Run) -> str:
+    """The results of a run in the export format `name`."""
+    return str(plugins.module(FILES, name).render(run))

@@ -1,43 +1,12 @@
 """Comparison of two runs of the manual, result by result."""
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
+from vmharness.export import Case, Result, Run
 from vmharness.round_off import ROUND_OFF, ordered
 
 RANK = {"pass": 0, "fail": 1, "error": 2}
-
-
-@dataclass(frozen=True)
-class Result:
-    """A result, as `vm run --json` writes it."""
-
-    key: str
-    unit: str
-    target: float | None
-    value: float | None
-    tolerance_percent: float | None
-    verdict: str
-
-
-@dataclass(frozen=True)
-class CaseOfRun:
-    """A case, as `vm run --json` writes it."""
-
-    id: str
-    solver: str | None
-    verdict: str
-    results: list[Result]
-    set: dict[str, float] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class Run:
-    """The file that `vm run --json` writes; other keys are ignored."""
-
-    schema: int
-    version: str
-    cases: list[CaseOfRun]
 
 
 @dataclass(frozen=True)
@@ -77,7 +46,7 @@ def pairs(first: Run, second: Run) -> list[Pair]:
     return sorted(ordered(found, lambda pair: -(pair.share or 0.0)), key=lambda pair: not pair.worse)
 
 
-def _name(case: CaseOfRun) -> str:
+def _name(case: Case) -> str:
     data = ",".join(f"{name}={value:g}" for name, value in case.set.items())
     return f"{case.id}@{data}" if data else case.id
 

@@ -54,6 +54,8 @@ class Outcome:
     reason: str = ""
     run: "CaseRun | None" = None
     traceback: str = ""  # of a defect
+    started: str = ""  # when the solver began: UTC, as 2026-01-31T09:30:00Z
+    seconds: float | None = None  # from then to the verdict
 
     @property
     def share(self) -> float | None:

@@ -10,7 +10,8 @@ from vmharness.cli.say import complain, say, say_rows, write_file
 from vmharness.suite.outcome import EXIT_CODES, Status
 
 if TYPE_CHECKING:
-    from vmharness.studies.compare import Pair, Run
+    from vmharness.export import Run
+    from vmharness.studies.compare import Pair
 
 RUN = click.Path(exists=True, dir_okay=False, path_type=Path)
 
@@ -41,18 +42,18 @@ def command(first: Path, second: Path, every: bool, json: Path | None) -> int:
 def _read(path: Path) -> "Run":
     import msgspec
 
-    from vmharness.report.exports.json import SCHEMA
-    from vmharness.studies.compare import Run
+    from vmharness.export import SCHEMA, Numbered, Run
 
     try:
-        run = msgspec.json.decode(path.read_bytes(), type=Run)
+        content = path.read_bytes()
+        number = msgspec.json.decode(content, type=Numbered).schema
+        if number == SCHEMA:
+            return msgspec.json.decode(content, type=Run)
     except (OSError, msgspec.MsgspecError) as error:
         raise click.UsageError(f"{path}: not a file of `vm run --json`: {error}") from None
-    if run.schema != SCHEMA:
-        raise click.UsageError(
-            f"{path}: schema {run.schema}, but only {SCHEMA} can be read; write the file again with `vm run --json`"
-        )
-    return run
+    raise click.UsageError(
+        f"{path}: schema {number}, but only {SCHEMA} can be read; write the file again with `vm run --json`"
+    )
 
 
 def _show(runs: list["Run"], found: list["Pair"], every: bool) -> None:

@@ -1,5 +1,6 @@
 """`vm run`: solve cases, compare them with theory, write the pages."""
 
+import time
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -12,6 +13,7 @@ from vmharness.cli.selection import selected, selecting
 from vmharness.cli.summary import summarise
 from vmharness.suite import last_run
 from vmharness.suite.outcome import NOTHING_SELECTED, Outcome, Status, exit_code
+from vmharness.suite.timed import Began, now
 
 REPORTS, RUNS = Path("reports"), Path("runs")
 SHOWN = 5  # pages of a run of several cases whose paths are printed
@@ -49,6 +51,7 @@ def command(
     """
     from vmharness.cli.pipeline import Wanted, run_cases, write_files  # not needed for --help
 
+    began = Began(["vm", *ctx.find_root().obj], now(), time.perf_counter())
     found, unknown = selected(selectors, cases, words, tags)
     if lf:
         pending = last_run.not_passed(out or REPORTS)
@@ -70,7 +73,7 @@ def command(
     outcomes = [Outcome(selector, Status.BROKEN, problem) for selector, problem in unknown.items()]
     done, unwritten = run_cases(found, wanted)
     outcomes += done
-    unwritten += write_files(outcomes, wanted)
+    unwritten += write_files(outcomes, found, wanted, began)
     summarise(outcomes, unwritten, rerun_commands(found, ctx.params), ctx.find_root().params["debug"])
     if wanted.report:
         _say_where([wanted.name(case.id) for case in found], wanted.root, wanted.index)

@@ -1,1 +1,1 @@
-"""Export formats: each module of this folder renders all runs as one text."""
+"""Export formats: each module of this folder renders the results of a run as one text."""

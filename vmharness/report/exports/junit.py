@@ -1,92 +1,121 @@
-"""Results as JUnit XML for continuous integration: one suite for each case, one test for each result."""
+"""Results as JUnit XML for continuous integration: one suite for each case, one test for each result.
+
+Elements, attributes and their order are those of the schema junit-10.xsd, which Jenkins, GitLab and pytest use.
+"""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping
+from pathlib import PurePath
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
-from vmharness.compare import Verdict
-from vmharness.report.number import decimals, positional, significant
-from vmharness.result import CaseRun, Row, Unrun
+from vmharness.export import Case, Result, Run
 
 # Characters that XML 1.0 does not allow, even escaped.
 _ILLEGAL = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+FILE = "case.toml"
 
 
-def render(runs: Sequence[CaseRun], unrun: Sequence[Unrun]) -> str:
-    """All runs as one document; a case without a run is a suite with one error."""
-    suites = [*map(_suite, runs), *map(_unrun, unrun)]
-    root = Element("testsuites", {"name": "vmharness", **_totals(suites)})
+def render(run: Run) -> str:
+    """All cases as one document; in a case of which nothing was judged one test has the error."""
+    suites = [_suite(number, case, run) for number, case in enumerate(run.cases)]
+    totals = {
+        name: str(sum(int(suite.attrib[name]) for suite in suites))
+        for name in ("tests", "failures", "errors")
+    }
+    root = _element("testsuites", {"name": "vmharness", **totals, "time": f"{run.seconds:.3f}"})
     root.extend(suites)
     ElementTree.indent(root)
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
 
 
-def _suite(run: CaseRun) -> Element:
-    suite = Element("testsuite", name=_legal(f"{run.case.id} {run.case.file.title}"))
+def _suite(number: int, case: Case, run: Run) -> Element:
+    tests = _tests(case)
+    for test in tests:  # the results come from one run: each has an equal part of its time
+        test.set("time", f"{(case.seconds or 0.0) / len(tests):.6f}")
+    suite = _element(
+        "testsuite",
+        {
+            "name": f"{case.id} {case.title}".strip(),
+            "tests": str(len(tests)),
+            "failures": str(sum(test.find("failure") is not None for test in tests)),
+            "errors": str(sum(test.find("error") is not None for test in tests)),
+            "skipped": "0",
+            "time": f"{case.seconds or 0.0:.6f}",
+            "timestamp": (case.started or run.started).removesuffix("Z"),  # the schema has no zone: it is UTC
+            "hostname": run.machine.host,
+            "id": str(number),
+            "package": "vmharness",
+            **_file(case),
+        },
+    )
     properties = SubElement(suite, "properties")
-    for name, value in (
-        ("solver", run.solution.solver),
-        ("verdict", str(run.verdict)),
-        ("cycles", str(run.solution.cycles)),
-        ("deck.sha256", run.deck_sha256),
-        ("case.sha256", run.case_sha256),
-        *((f"{name}.sha256", sha256) for name, sha256 in run.included.items()),
-    ):
-        SubElement(properties, "property", name=name, value=_legal(value))
-    tests = [_test(run, row) for row in run.rows]
-    if run.solution.failure or not tests:
-        reason = run.reason or "no result was judged"
-        tests.append(_verdict(_named(run.case.id, "solver"), Verdict.ERROR, reason))
-    return _counted(suite, tests, run.seconds)
-
-
-def _unrun(case: Unrun) -> Element:
-    test = _verdict(_named(case.id, "case"), Verdict.ERROR, case.reason)
-    return _counted(Element("testsuite", name=_legal(case.id)), [test], 0.0)
-
-
-def _counted(suite: Element, tests: list[Element], seconds: float) -> Element:
-    """The suite with its tests and their counts."""
+    for name, value in _properties(case).items():
+        properties.append(_element("property", {"name": name, "value": value}))
     suite.extend(tests)
-    suite.attrib |= {
-        "tests": str(len(tests)),
-        "failures": str(sum(test.find("failure") is not None for test in tests)),
-        "errors": str(sum(test.find("error") is not None for test in tests)),
-        "skipped": "0",
-        "time": f"{seconds:.3f}",
-    }
     return suite
 
 
-def _test(run: CaseRun, row: Row) -> Element:
-    test = _verdict(_named(run.case.id, row.key), row.verdict, row.comparison.reason)
-    comparison = row.comparison
-    SubElement(test, "system-out").text = _legal(
-        f"{row.event}, {row.label} ({row.unit}): target {significant(comparison.target)}, "
-        f"value {significant(comparison.value)}, error {decimals(comparison.error_percent)} %, "
-        f"tolerance {positional(comparison.tolerance_percent)} %"
-    )
-    return test
-
-
-def _named(case: str, name: str) -> Element:
-    return Element("testcase", classname=_legal(case), name=_legal(name), time="0")
-
-
-def _verdict(test: Element, verdict: Verdict, reason: str) -> Element:
-    if verdict is not Verdict.PASS:
-        kind = "failure" if verdict is Verdict.FAIL else "error"
-        SubElement(test, kind, type=str(verdict), message=_legal(reason)).text = _legal(reason)
-    return test
-
-
-def _totals(suites: list[Element]) -> dict[str, str]:
-    counts = {
-        name: str(sum(int(suite.attrib[name]) for suite in suites))
-        for name in ("tests", "failures", "errors")
+def _properties(case: Case) -> dict[str, str]:
+    return {
+        "solver": case.solver,
+        "outcome": case.outcome,
+        **({"reason": case.reason} if case.reason else {}),
+        **({"cycles": str(case.cycles)} if case.cycles is not None else {}),
+        **{f"set.{name}": f"{value!r}" for name, value in case.set.items()},
+        **{f"{name}.sha256": digest for name, digest in case.sha256.items()},
     }
-    return {**counts, "time": f"{sum(float(suite.attrib['time']) for suite in suites):.3f}"}
+
+
+def _tests(case: Case) -> list[Element]:
+    """A test for each result; one with the reason where these do not say why the case has its outcome."""
+    tests = [_test(case, result) for result in case.results]
+    said = any(result.verdict == case.verdict for result in case.results)
+    if not said or case.outcome not in ("pass", "fail"):
+        test = _named(case, "solver" if case.results else "case")
+        kind = "failure" if case.verdict == "fail" else "error"
+        test.append(_reason(kind, case.outcome, case.reason or "no result was judged"))
+        tests.append(test)
+    return tests
+
+
+def _test(case: Case, result: Result) -> Element:
+    test, line = _named(case, result.key), _line(result)
+    if result.verdict != "pass":
+        kind = "failure" if result.verdict == "fail" else "error"
+        test.append(_reason(kind, result.verdict, f"{result.reason}; {line}" if result.reason else line))
+    SubElement(test, "system-out").text = _legal(line)
+    return test
+
+
+def _line(result: Result) -> str:
+    """The result in a line: value, target, error and tolerance, with the digits that tell them apart."""
+    unit = f" {result.unit}" if result.unit else ""
+    value = "none" if result.value is None else f"{result.value:.9g}{unit}"
+    line = f"{result.event}, {result.label}: value {value}, target {result.target:.9g}{unit}"
+    if result.error_percent is not None:
+        line += f", error {result.error_percent:+.3g} %"
+    if result.tolerance_percent is not None:
+        return f"{line}, tolerance {result.tolerance_percent:.3g} %"
+    return f"{line}, tolerance {result.tolerance:.3g}{unit}"
+
+
+def _reason(kind: str, outcome: str, reason: str) -> Element:
+    found = _element(kind, {"type": outcome, "message": reason})
+    found.text = _legal(reason)
+    return found
+
+
+def _named(case: Case, name: str) -> Element:
+    return _element("testcase", {"classname": case.id, "name": name, **_file(case)})
+
+
+def _file(case: Case) -> dict[str, str]:
+    return {} if case.folder is None else {"file": PurePath(case.folder, FILE).as_posix()}
+
+
+def _element(name: str, attributes: Mapping[str, str]) -> Element:
+    return Element(name, {key: _legal(value) for key, value in attributes.items()})
 
 
 def _legal(text: str) -> str:

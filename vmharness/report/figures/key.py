@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from vmharness.report.figures.note import MIDDLE, note
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 Entry: TypeAlias = tuple[str, dict[str, Any]]  # what it is, and how its line and mark are drawn
@@ -44,7 +45,13 @@ def key(
     axes = figure.add_axes((0.0, 0.0, 1.0, 1.0), xlim=(0.0, width), ylim=(0.0, height), facecolor="none")
     axes.set_axis_off()
     for number, (label, style) in enumerate(entries):
-        x, y = start[0] + number * step[0], start[1] + number * step[1]
-        axes.plot([x, x + SAMPLE / 2, x + SAMPLE], [y, y, y], markevery=[1], **style)
-        lines = label.count("\n")
-        note(axes, label, (x + SAMPLE + 8, y), (0, 9 * MIDDLE - 5.5 * lines), color="#1b2733")
+        sample(axes, label, style, start[0] + number * step[0], start[1] + number * step[1])
+
+
+def sample(
+    axes: "Axes", label: str, style: dict[str, Any], x: float, y: float, colour: str = "#1b2733"
+) -> None:
+    """Draw an entry at x, y: its line and mark, and beside them its label."""
+    axes.plot([x, x + SAMPLE / 2, x + SAMPLE], [y, y, y], markevery=[1], **style)
+    lines = label.count("\n")
+    note(axes, label, (x + SAMPLE + 8, y), (0, 9 * MIDDLE - 5.85 * lines), color=colour)

@@ -7,6 +7,13 @@ if TYPE_CHECKING:
 
 SPACING = 1.3  # lines, in sizes of the letters
 MIDDLE = -0.35  # baseline of a line whose middle is at a height, in sizes of the letters
+NARROW, WIDE = frozenset("ijltfr.,:;|!'() "), frozenset("mwMW@−+")
+
+
+def width(text: str, size: float = 9.0, bold: bool = False) -> float:
+    """The width of a line of text in points, or somewhat more: that of the letters is up to the version of the font."""
+    letters = sum(0.42 if one in NARROW else 1.0 if one in WIDE else 0.65 for one in text)
+    return size * letters * (1.12 if bold else 1.0)
 
 
 def note(

@@ -1,7 +1,6 @@
 """The manual as HTML: each page is one file that works offline, without scripts, and can be printed."""
 
 import datetime
-import platform
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -9,14 +8,13 @@ from pathlib import Path
 from vmharness import __version__
 from vmharness.events import Event
 from vmharness.formula import Unit
-from vmharness.report import equations, escape, number, prose, wording
+from vmharness.report import equations, escape, machine, number, prose, wording
 from vmharness.report.index import Index
 from vmharness.report.page import Page
 from vmharness.report.templates import render
 from vmharness.result import CaseRun, Unrun
 
 FILE = "index.html"
-PACKAGES = ("numpy", "numba", "scipy", "matplotlib")
 
 
 def case(page: Page, folder: Path) -> str:
@@ -68,11 +66,11 @@ def provenance(run: CaseRun) -> dict[str, str]:
         **_events(run),
         "Time in the solver": f"{solution.seconds:.2f} s, of which {solution.seconds_loop:.2f} s in the time loop",
         "vmharness": __version__,
-        "Python": f"{platform.python_version()} ({platform.python_implementation()})",
-        **_versions(),
-        "System": f"{platform.system()} {platform.release()}",
-        "Processor": _processor(),
-        "Machine": platform.node(),
+        "Python": machine.python(),
+        **machine.versions(),
+        "System": machine.system(),
+        "Processor": machine.processor(),
+        "Machine": machine.host(),
         "Date": datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d %H:%M UTC"),
     }
 
@@ -87,26 +85,6 @@ def _events(run: CaseRun) -> dict[str, str]:
         for name, event in run.events.items()
         if isinstance(event, Event)
     }
-
-
-def _versions() -> dict[str, str]:
-    from importlib.metadata import PackageNotFoundError, version
-
-    found = {}
-    for package in PACKAGES:
-        try:
-            found[package] = version(package)
-        except PackageNotFoundError:
-            found[package] = "not installed"
-    return found
-
-
-def _processor() -> str:
-    """The model of the processor; platform.processor() is empty on most Linux."""
-    path = Path("/proc/cpuinfo")
-    lines = path.read_text(errors="replace").splitlines() if path.is_file() else []
-    models = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
-    return models[0] if models else platform.processor() or platform.machine()
 
 
 def _filters() -> dict[str, Callable[..., str]]:

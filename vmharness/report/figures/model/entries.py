@@ -1,0 +1,113 @@
+"""The key of the picture: each kind of entity, how many of it there are, and the body load."""
+
+import textwrap
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vmharness.mesh.view import View
+from vmharness.report.figures.characters import unit
+from vmharness.report.figures.key import SAMPLE, Entry, sample
+from vmharness.report.figures.model.arrows import CORNER, INITIAL, draw_arrow
+from vmharness.report.figures.model.frame import ISOMETRIC
+from vmharness.report.figures.model.style import (
+    ARROW,
+    BEAM,
+    BODY,
+    CENTRE,
+    CONTACT,
+    DAMPER,
+    JOINT,
+    LOAD,
+    MASS,
+    MOVING,
+    PLANE,
+    SEGMENT,
+    SHELL,
+    SPRING,
+    SUPPORT,
+)
+from vmharness.report.figures.note import width
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+LEFT, GAP = 10.0, 8.0  # points
+LINE, BETWEEN = 11.7, 10.0  # points: a line of text, and the room between entries
+LETTERS = 19  # of a line
+
+
+def entries(view: View, acceleration: str) -> list[Entry]:
+    """The entries of the key, from the top."""
+    tracked = sum(nodes.size for nodes, _ in view.contacts)
+    segments = sum(segments.shape[0] for _, segments in view.contacts)
+    dampers = int(view.dampers.sum())
+    springs = len(view.discrete) - dampers
+    centres = sum(body.centre is not None and not body.fixed for body in view.bodies)
+    found = [
+        (view.masses.size, _counted(view.masses.size, "mass element"), MASS),
+        (view.shells.shape[0], _counted(view.shells.shape[0], "shell element"), SHELL),
+        (len(view.solids), _counted(len(view.solids), "solid element"), SHELL),
+        (len(view.beams), _counted(len(view.beams), "beam element"), BEAM),
+        (springs, _counted(springs, "spring"), SPRING),
+        (dampers, _counted(dampers, "damper"), DAMPER),
+        (len(view.bodies), _counted(len(view.bodies), "rigid body"), BODY),
+        (centres, "centre of mass", CENTRE),
+        (len(view.joints), _counted(len(view.joints), "joint"), JOINT),
+        (len(view.walls), _counted(len(view.walls), "rigid wall"), PLANE),
+        (view.supports.size, _counted(view.supports.size, "supported node"), SUPPORT),
+        (
+            tracked,
+            f"contact: {_counted(tracked, 'node')}\non {_counted(segments, 'segment')}",
+            CONTACT | SEGMENT,
+        ),
+        *(
+            (len(at), f"{what} at {_counted(len(at), 'place')}", ARROW)
+            for what, (at, _) in view.arrows.items()
+            if what not in INITIAL
+        ),
+        *((1, what, MOVING) for what in INITIAL if what in view.arrows),
+        (np.any(view.gravity), _body_load(view, acceleration), {}),
+    ]
+    return [(_wrapped(label), style) for count, label, style in found if count]
+
+
+def right_edge(found: list[Entry]) -> float:
+    """The right edge of the key, in points; at least that of the directions below it."""
+    lines = [line for label, _ in found for line in label.split("\n")]
+    return max(2.0 * CORNER[0], LEFT + SAMPLE + 8.0 + max((width(line) for line in lines), default=0.0)) + GAP
+
+
+def draw_key(axes: "Axes", view: View, found: list[Entry], top: float) -> None:
+    """Write the entries from `top` downward; the body load has an arrow in its direction."""
+    y = top
+    for label, style in found:
+        lines = label.count("\n") + 1
+        middle = y - 0.5 * LINE * lines
+        if style:
+            sample(axes, label, style, LEFT, middle)
+        else:
+            sample(axes, label, {"linestyle": "none"}, LEFT, middle, colour=LOAD)
+            along = ISOMETRIC @ view.gravity / np.linalg.norm(view.gravity)
+            at = np.array([LEFT + 0.5 * SAMPLE, middle])
+            draw_arrow(axes, at - 11.0 * along, at + 11.0 * along, LOAD, 1.6)
+        y -= LINE * lines + BETWEEN
+
+
+def _body_load(view: View, acceleration: str) -> str:
+    """The body load, a line for each of its components."""
+    pulls = [
+        f"{axis}: {value:+.6g} {unit(acceleration)}".replace("-", "−")
+        for axis, value in zip("xyz", view.gravity, strict=True)
+        if value
+    ]
+    return "\n".join(["body load", *pulls])
+
+
+def _wrapped(label: str) -> str:
+    return "\n".join(part for line in label.split("\n") for part in textwrap.wrap(line, LETTERS))
+
+
+def _counted(count: int, what: str) -> str:
+    several = what.removesuffix("y") + "ies" if what.endswith("y") else f"{what}s"
+    return f"{count} {what if count == 1 else several}"
