@@ -111,6 +111,8 @@ def _fields(deck: Deck, entry: Entry, support: Support) -> Iterator[Finding]:
             yield Finding(_error(entry, name, why, given), idle=True)
         elif wrong.any():
             yield Finding(_error(entry, name, rule.what, wrong))
+        elif rule.alike and given.any() and (why := rule.alike(deck, entry)):
+            yield Finding(_error(entry, name, why, given), idle=True)
 
 
 def _error(entry: Entry, name: str, what: str, rows: NDArray[np.bool_]) -> DeckError:

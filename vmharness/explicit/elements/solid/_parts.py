@@ -32,8 +32,7 @@ SUPPORTS = (
     ),
     supports(
         CONTROL_BULK_VISCOSITY,
-        q1=at_least(0.0),
-        q2=at_least(0.0),
+        **{q: at_least(0.0, idle=unless(contents.solids, "the deck has no solids")) for q in ("q1", "q2")},
         type=only(1),
         btype=only(0, idle=unless(contents.beams, "the deck has no beams")),
         tstype=no_effect("acts on thick shells"),
