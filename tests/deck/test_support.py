@@ -108,5 +108,5 @@ def test_a_declaration_that_cannot_be_meant_is_refused() -> None:
     ],
 )
 def test_only_a_probable_typing_error_is_corrected(name: str, meant: str) -> None:
-    known = [name for keyword in vocabulary().values() for name in keyword.names()]
+    known = {other for keyword in vocabulary().values() for other in keyword.names()} - {name}
     assert misspelling_of(name, known) == meant

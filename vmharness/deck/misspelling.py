@@ -6,10 +6,10 @@ letter.
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 MOST = 2  # letters that are wrong
-SHORT = 10  # letters of a name of which only one may be wrong
+SHORT = 8  # letters of a word of which only one may be wrong
 
 
 def misspelling_of(name: str, known: Iterable[str]) -> str:
@@ -20,18 +20,24 @@ def misspelling_of(name: str, known: Iterable[str]) -> str:
     >>> misspelling_of("MAT_VISCOELASTIC", ["MAT_RIGID", "MAT_ELASTIC"])
     ''
     """
-    most = MOST if len(name) >= SHORT else 1
-    near = {other: edits(name, other) for other in known if _comparable(name, other)}
+    near = {other: _edits_of_words(name.split("_"), other.split("_")) for other in known}
     best = min(near, key=lambda other: (near[other], other), default="")
-    return best if best and near[best] <= most else ""
+    return best if best and near[best] <= MOST else ""
 
 
-def _comparable(name: str, other: str) -> bool:
-    return (
-        abs(len(name) - len(other)) <= MOST
-        and re.findall(r"\d", name) == re.findall(r"\d", other)
-        and [word[:1] for word in name.split("_")] == [word[:1] for word in other.split("_")]
-    )
+def _edits_of_words(words: Sequence[str], others: Sequence[str]) -> int:
+    """Letters that differ; MOST + 1 where the words are others, not misspelt."""
+    if [word[:1] for word in words] != [other[:1] for other in others]:
+        return MOST + 1
+    total = 0
+    for word, other in zip(words, others, strict=True):
+        most = MOST if len(other) >= SHORT else 1
+        if word != other:
+            if abs(len(word) - len(other)) > most or re.findall(r"\d", word + other):
+                return MOST + 1
+            wrong = edits(word, other)
+            total += wrong if wrong <= most else MOST + 1
+    return total
 
 
 def edits(a: str, b: str) -> int:

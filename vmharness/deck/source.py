@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from vmharness.deck.block import BEGINNINGS, Block, blocks
+from vmharness.deck.card import COLUMNS
 from vmharness.deck.error import DeckError
 
 INCLUDES = ("INCLUDE", "INCLUDE_PATH", "INCLUDE_PATH_RELATIVE")
@@ -140,10 +141,13 @@ def decoded(content: bytes, name: str) -> str:
 
 
 def names(block: Block, wrong: list[DeckError]) -> Iterator[tuple[str, int]]:
-    """The file names of an *INCLUDE, each with its line; " +" at the end of a line continues the name."""
+    """The file names of an *INCLUDE, each with its line; " +" at the end of a line continues the name.
+
+    What stands beyond column 80 after a blank is no part of a name.
+    """
     wanted = ""
     for line, number in zip(block.lines, block.numbers, strict=True):
-        part = line.strip()
+        part = (line if line[COLUMNS - 1 : COLUMNS].strip() else line[:COLUMNS]).strip()
         if part.endswith(" +"):
             wanted += part[:-2].rstrip()
         elif wanted + part:
