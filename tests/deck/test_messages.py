@@ -68,7 +68,7 @@ def test_message(deck: Read, content: str, message: str) -> None:
         ("*KEYWORD I10=Y\n", "deck.k:1: *KEYWORD: I10 = Y: only N supported"),
         (
             "*KEYWORD SPEED=1\n",
-            "deck.k:1: *KEYWORD: unknown option SPEED=1; supported: LONG, I10, MEMORY, NCPU",
+            "deck.k:1: *KEYWORD: unknown option SPEED=1; supported: LONG, I10, MEMORY, MEMORY2, NCPU, JOBID, PROJECT, NUM, STAGE",
         ),
     ],
 )

@@ -205,3 +205,36 @@ def test_any_text_is_a_deck_or_an_error_with_its_line(lines: list[str]) -> None:
             assert 1 < error.line <= len(lines) + 1  # noqa: PT017
         else:
             assert all(1 < entry.line <= len(lines) + 1 for entry in found.entries)
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be", "utf-32", "utf-32-le"])
+def test_a_wide_encoding_is_named(tmp_path: Path, encoding: str) -> None:
+    path = tmp_path / "deck.k"
+    path.write_bytes("*KEYWORD\n*NODE\n1,0.0\n".encode(encoding))
+    with pytest.raises(
+        DeckError, match=r"deck.k:1: is written in UTF-16 or UTF-32; save it as ASCII or UTF-8"
+    ):
+        read(path, VOCABULARY)
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (b"*KEYWORD\r*NODE\r1,0.0\r", r"deck.k:1: a line ends in CR alone; convert line ends to LF or CR LF"),
+        (b"*KEYWORD\n*NODE\r1,0.0\n", r"deck.k:2: a line ends in CR alone"),
+    ],
+)
+def test_what_is_no_text_is_named(tmp_path: Path, content: bytes, message: str) -> None:
+    path = tmp_path / "deck.k"
+    path.write_bytes(content)
+    with pytest.raises(DeckError, match=message):
+        read(path, VOCABULARY)
+
+
+@pytest.mark.parametrize(
+    "content", [b"\xef\xbb\xbf*KEYWORD\r\n*NODE\r\n1,0.0\r\n", b"*KEYWORD\r\r\n*NODE\r\r\n1,0.0\r"]
+)
+def test_other_line_ends_and_marks_are_read(tmp_path: Path, content: bytes) -> None:
+    path = tmp_path / "deck.k"
+    path.write_bytes(content)
+    assert read(path, VOCABULARY).one("NODE").nid.tolist() == [1]

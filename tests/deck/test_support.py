@@ -4,7 +4,8 @@ from collections.abc import Callable
 
 import pytest
 
-from vmharness.deck import Card, Deck, Keyword, integer, real, text
+from vmharness.deck import Card, Deck, Keyword, integer, real, text, vocabulary
+from vmharness.deck.misspelling import misspelling_of
 from vmharness.deck.rule import above, among, anything, at_least, between, no_effect, only, unless
 from vmharness.deck.support import Supported, by_name, effects, review, supports, without_effect
 
@@ -82,3 +83,30 @@ def test_a_declaration_that_cannot_be_meant_is_refused() -> None:
         supports(SHELL, nip=only(2))
     with pytest.raises(ValueError, match=r"what is supported of \*SHELL is declared twice"):
         by_name([supports(SHELL), supports(SHELL)])
+
+
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [
+        ("MAT_ELASTIK", "MAT_ELASTIC"),
+        ("MAT_ELASITC_TITLE", "MAT_ELASTIC_TITLE"),
+        ("CONTROL_TERMINATON", "CONTROL_TERMINATION"),
+        ("SET_NODE_LIST_GENERAT", "SET_NODE_LIST_GENERATE"),
+        ("BOUNDRY_SPC_SET", "BOUNDARY_SPC_SET"),
+        *(
+            (name, "")
+            for name in ("MAT_VISCOELASTIC", "MAT_SPRING_INELASTIC", "MAT_027", "MAT_ELASTIC_FLUID")
+        ),
+        *(
+            (name, "")
+            for name in ("SET_TSHELL", "ELEMENT_TSHELL", "SECTION_TSHELL", "LOAD_BODY_V", "MAT_ORTHOTROPIC")
+        ),
+        *(
+            (name, "")
+            for name in ("DEFINE_TABLE", "MAT_SPRING_MAXWELL", "ELEMENT_SEATBELT", "RIGIDWALL_GEOMETRIC", "")
+        ),
+    ],
+)
+def test_only_a_probable_typing_error_is_corrected(name: str, meant: str) -> None:
+    known = {other for keyword in vocabulary().values() for other in keyword.names()} - {name}
+    assert misspelling_of(name, known) == meant

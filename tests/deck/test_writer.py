@@ -43,7 +43,8 @@ def item(field: Field) -> st.SearchStrategy[str]:
         return st.sampled_from(["", "0", "0.0"])
     if field.kind == "text":
         letters = st.characters(codec="utf-8", exclude_categories=("C", "Z"), exclude_characters=",&$*")
-        return st.text(letters, max_size=10 if field.width < 70 else 60)
+        least = 1 if field.default is None else 0
+        return st.text(letters, min_size=least, max_size=10 if field.width < 70 else 60)
     low = field.above
     if field.kind == "integer":
         return st.integers(1 if low is not None else -(10**9), 10**9).map(str)

@@ -1,5 +1,6 @@
 """Text -> blocks: the data lines that follow each keyword line."""
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from dataclasses import field as default
@@ -9,7 +10,13 @@ from vmharness.deck.error import DeckError
 from vmharness.deck.field import REFERENCE, Value, shown
 
 BEGINNINGS = ("KEYWORD", "KEYWORD_ID")  # the second has a line: names of the project and the run
-KEYWORD_OPTIONS = {"LONG": ("Y", "K", "S", "N"), "I10": ("N",), "MEMORY": (), "NCPU": ()}
+KEYWORD_OPTIONS = {
+    "LONG": ("Y", "K", "S", "N"),
+    "I10": ("N",),
+    **dict.fromkeys(("MEMORY", "MEMORY2", "NCPU", "JOBID", "PROJECT", "NUM", "STAGE"), ()),
+}
+MEMORY = re.compile(r"[0-9]+[KMG]?")  # words of memory
+COMMENT = "COMMENT"  # may have its words on the keyword line
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,7 +115,7 @@ def _header(line: str, file: str, number: int, long: bool, wrong: list[DeckError
     rest = rest.strip()
     if rest in ("+", "-"):
         long, rest = rest == "+", ""
-    if rest:
+    if rest and name != COMMENT:
         wrong.append(DeckError(f"unexpected text after the keyword: {rest}", file, number, name))
     if not name:
         wrong.append(DeckError("unknown keyword", file, number))
@@ -119,6 +126,8 @@ def _long(rest: str, long: bool, block: Block, wrong: list[DeckError]) -> bool:
     """The format that *KEYWORD gives: LONG=Y and LONG=K are long, LONG=S and LONG=N standard."""
     for option in rest.split():
         name, _, value = option.partition("=")
+        if MEMORY.fullmatch(option):
+            continue
         if name not in KEYWORD_OPTIONS:
             supported = ", ".join(KEYWORD_OPTIONS)
             wrong.append(block.error(f"unknown option {option}; supported: {supported}"))

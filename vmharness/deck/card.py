@@ -7,6 +7,7 @@ from typing import Any
 from vmharness.deck.field import LONG_WIDTH, Field, Value
 
 COLUMNS = 80  # of a line in standard format; what stands beyond is no data
+TAB = "a tab in a data line hides its columns; write blanks or commas"
 NOTHING = re.compile(r"[ 0.]*")  # blanks and zeros
 
 
@@ -38,14 +39,18 @@ class Card:
     def items(self, line: str, long: bool) -> list[str]:
         """Characters of each field of `line`; raises ValueError where text is left over.
 
-        A comma anywhere makes the line comma-separated, but a comma within a heading is a part of it. What stands
-        beyond column 80 (160 in long format) is no data, as in LS-DYNA, and zeros beyond the last field are none.
+        A comma makes the line comma-separated, but a comma within a heading is a part of it. What stands beyond column
+        80 (160 in long format) is no data, as in LS-DYNA, and zeros beyond the last field are none. A heading may be
+        too long, and may have tabs.
         """
         widths = [field.columns(long) for field in self.fields.values()]
         heading = list(self.fields.values())[-1].is_heading
-        if "," in (line[: sum(widths[:-1])] if heading else line):
-            return self._separated(line, heading)
-        if not NOTHING.fullmatch(line, sum(widths), line_end(long)):
+        end = sum(widths[:-1]) if heading else max(line_end(long), sum(widths))
+        if "," in line[:end]:
+            return self._separated(line if heading or line[end - 1 : end].strip() else line[:end], heading)
+        if "\t" in line[:end]:
+            raise ValueError(TAB)
+        if not heading and not NOTHING.fullmatch(line, sum(widths), end):
             raise ValueError(f"text beyond the last field, which ends in column {sum(widths)}")
         ends = [sum(widths[: i + 1]) for i in range(len(widths))]
         return [line[end - width : end] for width, end in zip(widths, ends, strict=True)]

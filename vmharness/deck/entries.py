@@ -9,8 +9,6 @@ from vmharness.deck.field import Value
 from vmharness.deck.keyword import Keyword
 from vmharness.deck.table import read_rows
 
-TAB = "a tab in a data line hides its columns; write blanks or commas"
-
 
 def entries(
     block: Block, keyword: Keyword, option: str, parameters: Mapping[str, Value], wrong: list[DeckError]
@@ -24,7 +22,6 @@ def entries(
         return [Entry(keyword, block.name, block.file, block.line, option, raw=block)]
     found: list[Entry] = []
     try:
-        _check_tabs(block)
         _read_groups(found, block, keyword, option, parameters, wrong)
     except DeckError as error:
         wrong.append(error)
@@ -76,9 +73,3 @@ def _read_group(
         entry.references |= block.references(card, at, parameters)
         at += 1
     return at
-
-
-def _check_tabs(block: Block) -> None:
-    for line, number in zip(block.lines, block.numbers, strict=True):
-        if "\t" in line:
-            raise block.error(TAB, number)

@@ -95,5 +95,5 @@ def lookup(block: Block, vocabulary: Vocabulary) -> tuple[Keyword, str]:
 
 
 def _keyword_notes(block: Block) -> dict[str, None]:
-    asked = [option for option in block.rest.split() if option.startswith(("MEMORY", "NCPU"))]
+    asked = [option for option in block.rest.split() if not option.startswith(("LONG", "I10"))]
     return {f"*KEYWORD: {option} cannot change results.": None for option in asked}

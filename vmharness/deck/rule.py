@@ -17,15 +17,17 @@ class Rule:
     """`allows(values)`: for each value whether it can be done; `what` says which can, `brief` lists them if few can.
 
     `idle`: why a value that is not the default has no effect in a deck, where that is so; then it is allowed, too.
+    `alike`: the same, but of the values that are allowed only.
     """
 
     allows: Callable[[Any], Any]
     what: str
     brief: str
     idle: Why | None = None
+    alike: Why | None = None
 
 
-def among(*values: Any, idle: Why | None = None, what: str = "") -> Rule:
+def among(*values: Any, idle: Why | None = None, what: str = "", alike: Why | None = None) -> Rule:
     """These values alone; `what` replaces the sentence that lists them.
 
     >>> among(0, 1, 2).what, among("MECH").what, among(0.0, 1e8).what
@@ -34,7 +36,7 @@ def among(*values: Any, idle: Why | None = None, what: str = "") -> Rule:
     *others, last = map(_shown, values)
     sentence = f"only {', '.join(others)} and {last} are supported" if others else f"only {last} is supported"
     brief = f"only {', '.join(map(_shown, values))}"
-    return Rule(lambda found: np.isin(found, values), what or sentence, brief, idle)
+    return Rule(lambda found: np.isin(found, values), what or sentence, brief, idle, alike)
 
 
 def _shown(value: Any) -> str:
@@ -83,12 +85,22 @@ def anything(idle: Why) -> Rule:
 
 def no_effect(sentence: str) -> Rule:
     """Any value: none has an effect, as the sentence says."""
-    return anything(lambda deck, entry: sentence)
+    return anything(always(sentence))
+
+
+def always(sentence: str) -> Why:
+    """No effect in any deck, as the sentence says."""
+    return lambda deck, entry: sentence
 
 
 def unless(condition: Callable[[Deck], Any], sentence: str) -> Why:
     """No effect, as the sentence says, unless the deck has what `condition` looks for."""
     return lambda deck, entry: "" if condition(deck) else sentence
+
+
+def where(condition: Callable[[Entry], Any], sentence: str) -> Why:
+    """No effect, as the sentence says, beside other fields of the entry that meet the `condition`."""
+    return lambda deck, entry: sentence if condition(entry) else ""
 
 
 def without_parts(deck: Deck, section: Entry) -> str:

@@ -2,16 +2,20 @@
 
 import hashlib
 import os
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
 from vmharness.deck.block import BEGINNINGS, Block, blocks
+from vmharness.deck.card import COLUMNS
 from vmharness.deck.error import DeckError
 
 INCLUDES = ("INCLUDE", "INCLUDE_PATH", "INCLUDE_PATH_RELATIVE")
 DEEPEST = 20  # includes within includes
 BEGIN = "a deck begins with *KEYWORD; only comments may come before"
 MOST_BYTES = 2**29  # of all files together
+
+LONE_CR = re.compile(rb"\r(?![\r\n]|\Z)")
 
 
 class Source:
@@ -111,10 +115,7 @@ class Source:
         except OSError as error:
             raise _at(place, f"cannot be read: {error.strerror}") from None
         self.files[name] = hashlib.sha256(content).hexdigest()
-        try:
-            return content.decode("utf-8-sig")
-        except UnicodeDecodeError:
-            return content.decode("latin-1")  # every byte is a character: comments and titles in any encoding
+        return decoded(content, name)
 
     def _name(self, path: Path) -> str:
         try:
@@ -123,11 +124,30 @@ class Source:
             return str(path)
 
 
+def decoded(content: bytes, name: str) -> str:
+    """The text of a file; raises DeckError where it has no lines as LS-DYNA reads them.
+
+    A file that is not UTF-8 is read byte by byte: comments and titles may have any encoding of single bytes.
+    """
+    if content.startswith((b"\xff\xfe", b"\xfe\xff")) or content.count(0) > len(content) // 3:
+        raise DeckError("is written in UTF-16 or UTF-32; save it as ASCII or UTF-8", name, 1)
+    if found := LONE_CR.search(content):
+        line = 1 + content.count(b"\n", 0, found.start())
+        raise DeckError("a line ends in CR alone; convert line ends to LF or CR LF", name, line)
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return content.decode("latin-1")
+
+
 def names(block: Block, wrong: list[DeckError]) -> Iterator[tuple[str, int]]:
-    """The file names of an *INCLUDE, each with its line; " +" at the end of a line continues the name."""
+    """The file names of an *INCLUDE, each with its line; " +" at the end of a line continues the name.
+
+    What stands beyond column 80 after a blank is no part of a name.
+    """
     wanted = ""
     for line, number in zip(block.lines, block.numbers, strict=True):
-        part = line.strip()
+        part = (line if line[COLUMNS - 1 : COLUMNS].strip() else line[:COLUMNS]).strip()
         if part.endswith(" +"):
             wanted += part[:-2].rstrip()
         elif wanted + part:

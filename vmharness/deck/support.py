@@ -7,7 +7,6 @@ A field without a rule may have any value. A keyword that is not declared is not
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
@@ -18,6 +17,7 @@ from vmharness.deck.entry import Entry
 from vmharness.deck.error import DeckError
 from vmharness.deck.finding import Finding
 from vmharness.deck.keyword import Keyword
+from vmharness.deck.misspelling import misspelling_of
 from vmharness.deck.rule import Rule, Why
 
 
@@ -93,9 +93,9 @@ def _unknown(entry: Entry, supported: Supported) -> str:
     """What to say of a keyword that is not declared."""
     if entry.raw is None:
         return "the keyword is not supported"
-    known = sorted({name for support in supported.values() for name in support.keyword.names()})
-    near = get_close_matches(entry.spelled, known, n=1, cutoff=0.75)
-    return "unknown keyword" + (f"; did you mean *{near[0]}?" if near else "")
+    known = {name for support in supported.values() for name in support.keyword.names()}
+    meant = misspelling_of(entry.spelled, known)
+    return "unknown keyword" + (f"; did you mean *{meant}?" if meant else "")
 
 
 def _fields(deck: Deck, entry: Entry, support: Support) -> Iterator[Finding]:
@@ -111,6 +111,8 @@ def _fields(deck: Deck, entry: Entry, support: Support) -> Iterator[Finding]:
             yield Finding(_error(entry, name, why, given), idle=True)
         elif wrong.any():
             yield Finding(_error(entry, name, rule.what, wrong))
+        elif rule.alike and given.any() and (why := rule.alike(deck, entry)):
+            yield Finding(_error(entry, name, why, given), idle=True)
 
 
 def _error(entry: Entry, name: str, what: str, rows: NDArray[np.bool_]) -> DeckError:

@@ -4,12 +4,16 @@ from vmharness.deck import Keyword
 from vmharness.deck.keywords import database
 from vmharness.deck.keywords.comment import COMMENT
 from vmharness.deck.keywords.control.accuracy import CONTROL_ACCURACY
+from vmharness.deck.keywords.control.dynamic_relaxation import CONTROL_DYNAMIC_RELAXATION
 from vmharness.deck.keywords.control.energy import CONTROL_ENERGY
 from vmharness.deck.keywords.control.output import CONTROL_OUTPUT
+from vmharness.deck.keywords.control.running import CONTROL_CPU, RUNNING
 from vmharness.deck.keywords.control.solution import CONTROL_SOLUTION
 from vmharness.deck.keywords.control.units import CONTROL_UNITS
 from vmharness.deck.keywords.define import coordinate
+from vmharness.deck.keywords.define.other import KEYWORDS as OTHER_DEFINITIONS
 from vmharness.deck.keywords.parameter_duplication import PARAMETER_DUPLICATION
+from vmharness.deck.keywords.set.other import KEYWORDS as OTHER_SETS
 from vmharness.deck.keywords.set.solid import SET_BEAM, SET_DISCRETE, SET_SOLID
 from vmharness.deck.keywords.title import TITLE
 from vmharness.deck.rule import among, no_effect, only
@@ -36,6 +40,10 @@ REASONS: dict[Keyword, str] = {
         ),
         "nothing that is supported refers to it.",
     ),
+    **dict.fromkeys(
+        (*OTHER_DEFINITIONS, *OTHER_SETS), "kept unread; nothing that is supported can refer to it."
+    ),
+    **dict.fromkeys((CONTROL_CPU, *RUNNING), "asks for how LS-DYNA runs; no effect on results."),
 }
 
 SUPPORTS = (
@@ -50,6 +58,7 @@ SUPPORTS = (
         exacc=only(0.0),
         srtflg=among(0, 1),
     ),
+    without_effect(CONTROL_DYNAMIC_RELAXATION, "nothing is relaxed with IDRFLG = 0.", idrflg=only(0)),
     supports(
         CONTROL_SOLUTION,
         soln=only(0),  # structures

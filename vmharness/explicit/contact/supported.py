@@ -1,7 +1,7 @@
 """What contacts can do with the fields of their cards, by kind of contact."""
 
 from vmharness.deck import Deck, Entry
-from vmharness.deck.rule import Rule, Why, above, among, anything, at_least, no_effect, only
+from vmharness.deck.rule import Rule, Why, above, always, among, anything, at_least, no_effect, only
 from vmharness.deck.support import Support, supports
 from vmharness.explicit.contact.build import Kind
 from vmharness.explicit.contact.cards import control_of
@@ -36,7 +36,7 @@ def contact(kind: Kind, a: Kinds, b: Kinds) -> Support:
         "shlthk": among(0, 1, 2, idle=_idle("shlthk", two_way)),
         "snlog": among(0, 1),
         "ignore": among(0, 1, 2),
-        "shledg": among(0, 2),  # edges are round
+        "shledg": among(0, 2, alike=always("edges are always round")),
     }
     return supports(keyword, **rules)
 

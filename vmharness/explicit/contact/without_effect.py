@@ -83,6 +83,8 @@ def of_cards(entry: Entry, control: Mapping[str, Any], two_way: bool) -> Iterato
         yield ("penmax",), "PENCHK is used instead"
     if control["penopt"] == 2 and not two_way and not kind_of(entry).single_surface:
         yield ("sfsa",), "PENOPT = 2: the stiffness is that of the segments"
+    if kind_of(entry).single_surface:
+        yield ("surfb", "sfsb", "sbst", "sfsbt"), "a single surface has no second side"
     for side in "ab":
         if getattr(entry, f"surf{side}typ") == ALL:
             yield (f"surf{side}",), f"SURF{side.upper()}TYP = {ALL} means all parts; the number is not used"

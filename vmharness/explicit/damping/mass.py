@@ -18,7 +18,7 @@ import numpy as np
 from vmharness.deck import Deck, DeckError, Entry
 from vmharness.deck.keywords.damping import DAMPING_GLOBAL, DAMPING_PART_MASS, FACTORS
 from vmharness.deck.keywords.part import PART
-from vmharness.deck.rule import above, among, at_least, only
+from vmharness.deck.rule import above, among, at_least, only, where
 from vmharness.deck.support import supports
 from vmharness.explicit.constraints.prescribed_motion import PrescribedMotion
 from vmharness.explicit.kernels.compiled import kernel
@@ -29,7 +29,11 @@ from vmharness.explicit.state import Array, Flags, Index, State
 from vmharness.mesh.sets import nodes_of_parts
 
 SUPPORTS = (
-    supports(DAMPING_GLOBAL, lcid=at_least(0), valdmp=at_least(0.0)),
+    supports(
+        DAMPING_GLOBAL,
+        lcid=at_least(0),
+        valdmp=at_least(0.0, idle=where(lambda entry: entry.lcid, "LCID is used instead")),
+    ),
     supports(DAMPING_PART_MASS, lcid=above(0), flag=among(0, 1), struc=only(0)),
 )
 

@@ -2,11 +2,11 @@
 
 from vmharness.deck import Deck
 from vmharness.deck.keywords.element.mass import ELEMENT_MASS
-from vmharness.deck.rule import at_least
+from vmharness.deck.rule import at_least, no_effect
 from vmharness.deck.support import supports
 from vmharness.explicit.model.model import Model
 
-SUPPORTS = (supports(ELEMENT_MASS, mass=at_least(0.0)),)
+SUPPORTS = (supports(ELEMENT_MASS, mass=at_least(0.0), pid=no_effect("affects output only")),)
 
 NAME = "lumped mass"
 

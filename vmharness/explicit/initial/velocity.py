@@ -16,11 +16,13 @@ from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.initial.velocity import INITIAL_VELOCITY, INITIAL_VELOCITY_NODE
 from vmharness.deck.keywords.initial.velocity_generation import INITIAL_VELOCITY_GENERATION
 from vmharness.deck.keywords.part import PART
-from vmharness.deck.rule import among, at_least, only
+from vmharness.deck.rule import among, anything, at_least, only, where
 from vmharness.deck.support import supports
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.state import Array, Index
 from vmharness.mesh.sets import node_set, nodes_of_parts, part_set
+
+AXIS = ("xc", "yc", "zc", "nx", "ny", "nz")
 
 SUPPORTS = (
     supports(INITIAL_VELOCITY, boxid=only(0), irigid=only(0), icid=only(0)),
@@ -28,7 +30,8 @@ SUPPORTS = (
     supports(
         INITIAL_VELOCITY_GENERATION,
         id=at_least(0),
-        styp=among(1, 2, 3),
+        styp=among(1, 2, 3, idle=where(lambda entry: entry.id == 0, "ID = 0 is all nodes")),
+        **{name: anything(where(lambda entry: not entry.omega, "no rotation")) for name in AXIS},
         ivatn=only(0),
         icid=only(0),
         phase=only(0),

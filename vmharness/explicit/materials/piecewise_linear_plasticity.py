@@ -17,7 +17,7 @@ import numpy as np
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.define.curve import DEFINE_CURVE, points
 from vmharness.deck.keywords.mat.piecewise_linear_plasticity import EPS, ES, MAT_PIECEWISE_LINEAR_PLASTICITY
-from vmharness.deck.rule import above, among, at_least, between, only
+from vmharness.deck.rule import above, among, at_least, between, only, where
 from vmharness.deck.support import supports
 from vmharness.explicit.materials._plasticity.constants import Plastic
 from vmharness.explicit.materials._plasticity.piecewise_linear import Curve, curve, line
@@ -28,18 +28,33 @@ from vmharness.explicit.materials._plasticity.uniaxial import uniaxial
 from vmharness.explicit.materials.elastic import density, moduli
 from vmharness.explicit.state import Array
 
+TABLE = "the yield stress is given by LCSS, or by EPS and ES"
+
+
+def _given(entry: Entry) -> bool:
+    """Whether the yield stress is given by points."""
+    return bool(entry.lcss) or any(getattr(entry, name) for name in (*EPS, *ES))
+
+
 SUPPORTS = (
     supports(
         MAT_PIECEWISE_LINEAR_PLASTICITY,
         ro=above(0.0),
         e=above(0.0),
         pr=between(-1.0, 0.5),
-        sigy=at_least(0.0),
-        etan=at_least(0.0),
+        sigy=at_least(0.0, idle=where(lambda entry: _given(entry) and not (entry.c and entry.vp), TABLE)),
+        etan=at_least(0.0, idle=where(lambda entry: _given(entry), TABLE)),
         fail=among(0.0, 1e20, 1e21),
         tdel=only(0.0),
-        **{name: at_least(0.0) for name in ("c", "p", "lcss", "lcsr", *EPS, *ES)},
-        vp=among(0.0, 1.0),
+        **{
+            name: at_least(0.0, idle=where(lambda entry: entry.lcsr, "LCSR is used instead")) for name in "cp"
+        },
+        **{name: at_least(0.0) for name in ("lcss", "lcsr")},
+        **{
+            name: at_least(0.0, idle=where(lambda entry: entry.lcss, "LCSS is used instead"))
+            for name in (*EPS, *ES)
+        },
+        vp=among(0.0, 1.0, alike=where(lambda entry: not (entry.c or entry.lcsr), "acts with C and P")),
         rfiltf=only(0.0),
     ),
 )
@@ -60,7 +75,7 @@ def constants(deck: Deck, entry: Entry) -> Plastic:
     E, nu = moduli(deck, entry)
     if entry.lcss:
         Y = _yield_curve(deck, entry)
-    elif any(getattr(entry, name) for name in (*EPS, *ES)):
+    elif _given(entry):
         Y = _pairs(entry)
     else:
         Y = _bilinear(entry, E)

@@ -12,7 +12,7 @@ Source: R. D. Krieg, S. W. Key, Implementation of a time dependent plasticity th
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.mat.plastic_kinematic import MAT_PLASTIC_KINEMATIC
-from vmharness.deck.rule import above, among, at_least, between, only
+from vmharness.deck.rule import above, among, at_least, between, only, where
 from vmharness.deck.support import supports
 from vmharness.explicit.materials._plasticity.constants import Plastic
 from vmharness.explicit.materials._plasticity.piecewise_linear import line
@@ -26,10 +26,11 @@ SUPPORTS = (
     supports(
         MAT_PLASTIC_KINEMATIC,
         **{name: above(0.0) for name in ("ro", "e", "sigy")},
-        **{name: at_least(0.0) for name in ("etan", "beta", "src", "srp")},
+        **{name: at_least(0.0) for name in ("etan", "src", "srp")},
+        beta=at_least(0.0, idle=where(lambda entry: entry.etan == 0.0, "ETAN = 0: no hardening")),
         pr=between(-1.0, 0.5),
         fs=only(0.0),
-        vp=among(0.0, 1.0),
+        vp=among(0.0, 1.0, alike=where(lambda entry: not entry.src, "acts with SRC and SRP")),
     ),
 )
 

@@ -5,9 +5,11 @@ CMO = 1 constrains the translation of the centre and the rotation of the body al
 
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.mat.rigid import MAT_RIGID
-from vmharness.deck.rule import above, among, between, no_effect, only
+from vmharness.deck.rule import above, among, between, no_effect, only, where
 from vmharness.deck.support import supports
 from vmharness.explicit.materials.elastic import density, moduli
+
+FREE = where(lambda entry: entry.cmo == 0, "CMO = 0 holds nothing")
 
 SUPPORTS = (
     supports(
@@ -18,8 +20,7 @@ SUPPORTS = (
         **{name: only(0.0) for name in ("n", "couple", "m")},
         alias=no_effect("title"),
         cmo=among(0, 1),
-        con1=among(*range(8)),
-        con2=among(*range(8)),
+        **{name: among(*range(8), idle=FREE) for name in ("con1", "con2")},
         spcnid=only(0),
         **{name: only(0.0) for name in ("xspc", "yspc", "zspc")},
         **{name: no_effect("affects output only") for name in ("lco", "a2", "a3", "v1", "v2", "v3")},

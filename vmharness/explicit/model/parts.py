@@ -10,7 +10,7 @@ from vmharness.deck import Deck, DeckError, Entry, Keyword
 from vmharness.deck.error import refuse
 from vmharness.deck.keywords.mat.rigid import MAT_RIGID
 from vmharness.deck.keywords.part import PART
-from vmharness.deck.rule import above, among, at_least, no_effect, only
+from vmharness.deck.rule import above, among, anything, at_least, no_effect, only, where
 from vmharness.deck.support import supports
 from vmharness.explicit.materials import Moduli, continuum_law, material_of
 from vmharness.explicit.model.model import Model
@@ -28,6 +28,10 @@ SUPPORTS = (
         tm=above(0.0),
         ircs=among(0, 1),
         nodeid=at_least(0),
+        **{
+            name: anything(where(lambda entry: entry.nodeid, "NODEID gives the centre"))
+            for name in ("xc", "yc", "zc")
+        },
         **{name: at_least(0.0) for name in ("ixx", "iyy", "izz")},
         cid2=only(0),
     ),

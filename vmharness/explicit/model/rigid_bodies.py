@@ -17,7 +17,7 @@ from vmharness.deck.keywords.constrained.nodal_rigid_body import (
 from vmharness.deck.keywords.constrained.rigid_bodies import CONSTRAINED_RIGID_BODIES
 from vmharness.deck.keywords.mat.rigid import MAT_RIGID
 from vmharness.deck.keywords.part import PART, has_inertia
-from vmharness.deck.rule import above, among, at_least, no_effect, only
+from vmharness.deck.rule import above, among, anything, at_least, no_effect, only, where
 from vmharness.deck.support import supports
 from vmharness.explicit.state import Flags
 from vmharness.mesh.dof import coded
@@ -39,6 +39,10 @@ SUPPORTS = (
         tm=above(0.0),
         ircs=among(0, 1),
         nodeid=at_least(0),
+        **{
+            name: anything(where(lambda entry: entry.nodeid, "NODEID gives the centre"))
+            for name in ("xc", "yc", "zc")
+        },
         **{name: at_least(0.0) for name in ("ixx", "iyy", "izz")},
         cid2=only(0),
     ),

@@ -48,7 +48,7 @@ SUPPORTS = (
         CONTROL_TIMESTEP,
         dtinit=at_least(0.0),
         tssfac=above(0.0),
-        isdo=among(0, 1, 2),
+        isdo=among(0, 1, 2, alike=unless(shells, "the deck has no shells")),
         tslimt=only(0.0, idle=unless(shells, "the deck has no shells")),
         lctm=at_least(0),
         erode=only(0, idle=_no_erosion),

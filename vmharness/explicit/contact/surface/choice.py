@@ -11,9 +11,6 @@ import numpy as np
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.element.beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
 from vmharness.deck.keywords.set.segment import SET_SEGMENT
-from vmharness.deck.keywords.set.shell import SET_SHELL_LIST
-from vmharness.deck.rule import only
-from vmharness.deck.support import supports
 from vmharness.explicit.contact.surface.faces import ContactFaces
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.state import Array, Index
@@ -30,10 +27,6 @@ from vmharness.mesh.surface import (
     named_faces,
 )
 
-SUPPORTS = (
-    supports(SET_SEGMENT, solver=only("MECH"), **{f"a{i}": only(0.0) for i in range(1, 5)}),
-    supports(SET_SHELL_LIST),
-)
 ROUND_OFF = 1e-9  # of the segments' size: nodes that lie in the surface are not behind it
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from vmharness.deck import Deck, DeckError
 from vmharness.deck.keywords.element.beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
 from vmharness.deck.keywords.section.beam import SECTION_BEAM
-from vmharness.deck.rule import above, among, at_least, no_effect, only
+from vmharness.deck.rule import above, always, among, at_least, no_effect, only
 from vmharness.deck.support import supports
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.model.parts import Part, parts
@@ -15,12 +15,15 @@ from vmharness.explicit.state import Array
 
 ELFORMS = {2: "Belytschko-Schwer beam", 3: "truss"}
 
-RELEASES = {name: only(0) for name in ("rt1", "rr1", "rt2", "rr2")}
+RELEASES = {
+    **{name: only(0) for name in ("rt1", "rr1", "rt2", "rr2")},
+    "local": among(1, 2, alike=always("is of releases, of which there are none")),
+}
 INTEGRATED = no_effect("acts on beams that are integrated over the cross-section")
 
 SUPPORTS = (
-    supports(ELEMENT_BEAM, n3=at_least(0), **RELEASES, local=among(1, 2)),
-    supports(ELEMENT_BEAM_ORIENTATION, n3=only(0), **RELEASES, local=among(1, 2)),
+    supports(ELEMENT_BEAM, n3=at_least(0), **RELEASES),
+    supports(ELEMENT_BEAM_ORIENTATION, n3=only(0), **RELEASES),
     supports(
         SECTION_BEAM,
         elform=among(*ELFORMS),

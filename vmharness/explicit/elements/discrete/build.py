@@ -9,7 +9,7 @@ from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.define.sd_orientation import DEFINE_SD_ORIENTATION
 from vmharness.deck.keywords.element.discrete import ELEMENT_DISCRETE
 from vmharness.deck.keywords.section.discrete import SECTION_DISCRETE
-from vmharness.deck.rule import above, among, at_least, no_effect, only
+from vmharness.deck.rule import above, among, anything, at_least, no_effect, only, where
 from vmharness.deck.support import supports
 from vmharness.explicit.elements.discrete.part import ABOUT, ALONG, Discrete, Orientation
 from vmharness.explicit.materials import law_of
@@ -30,7 +30,18 @@ SUPPORTS = (
         cdl=only(0.0),
         tdl=only(0.0),
     ),
-    supports(DEFINE_SD_ORIENTATION, iop=among(0, 1, 2, 3), nid1=at_least(0), nid2=at_least(0)),
+    supports(
+        DEFINE_SD_ORIENTATION,
+        iop=among(0, 1, 2, 3),
+        **{
+            n: at_least(0, idle=where(lambda entry: entry.iop < 2, "acts with IOP = 2 or 3"))
+            for n in ("nid1", "nid2")
+        },
+        **{
+            x: anything(where(lambda entry: entry.iop > 1, "acts with IOP = 0 or 1"))
+            for x in ("xt", "yt", "zt")
+        },
+    ),
 )
 
 

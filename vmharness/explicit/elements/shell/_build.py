@@ -8,6 +8,7 @@ from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.deck.keywords.section.shell import SECTION_SHELL
 from vmharness.deck.rule import (
     above,
+    always,
     among,
     at_least,
     implemented,
@@ -46,8 +47,8 @@ SUPPORTS = (
         CONTROL_SHELL,
         unless(shells, "the deck has no shells"),
         wrpang=no_effect("affects output only"),
-        esort=among(0, 1),  # degenerate shells are C0 triangles always
-        irnxx=among(-2, -1, 0),  # fibre directions, of which ELFORM 2 has none
+        esort=among(0, 1, alike=always("degenerate shells are always C0 triangles")),
+        irnxx=among(-2, -1, 0, alike=always("ELFORM 2 has no fibre directions")),
         istupd=among(0, 1),
         theory=only(2),
         bwc=only(2),

@@ -21,6 +21,12 @@ from vmharness.explicit.state import Array
 Q1, Q2 = 1.5, 0.06
 ELFORMS = {1: "one point", 2: "fully integrated"}
 
+
+def _type_of_shells(deck: Deck, entry: Entry) -> str:
+    without = entry.type == -1 and not contents.shells(deck)
+    return "acts on shells, of which the deck has none" if without else ""
+
+
 SUPPORTS = (
     supports(ELEMENT_SOLID, n9=only(0), n10=only(0)),
     supports(
@@ -32,9 +38,8 @@ SUPPORTS = (
     ),
     supports(
         CONTROL_BULK_VISCOSITY,
-        q1=at_least(0.0),
-        q2=at_least(0.0),
-        type=only(1),
+        **{q: at_least(0.0, idle=unless(contents.solids, "the deck has no solids")) for q in ("q1", "q2")},
+        type=only(1, idle=_type_of_shells),
         btype=only(0, idle=unless(contents.beams, "the deck has no beams")),
         tstype=no_effect("acts on thick shells"),
     ),
