@@ -211,9 +211,8 @@ def test_a_swept_node_goes_to_the_nearest_face(scene, bench, per_step, y, surfac
     work, met = 0.0, False
     for s in bench.march(state, [contact], dt, int(2.0 / per_step)):
         into = s.x[low[-1, -1], 0] - 1.0
-        if into > 1e-9 and into < 1.9:
-            straight = into > depth if surface else into > max(depth, 0.0125)
-            expected = [0.0, 0.0, -depth] if straight else [into, 0.0, 0.0]
+        if 1e-9 < into < 1.9:
+            expected = [0.0, 0.0, -depth] if into > far else [into, 0.0, 0.0]
             np.testing.assert_allclose(contact.force, 1000.0 * np.array(expected), atol=1e-9)
             met = True
         work += contact.force[0] * per_step
