@@ -9,8 +9,8 @@ with h_0 = h at the last estimate and r h_0 = 2/omega_max of the model. It is LS
 TSSFAC > 1 the user asks for more than the stable step; the run then takes it.
 
 The ratio r is found at the start (highest_mode.py), and again when the own step of an element near the shortest has
-changed by more than CHANGE. In between r h_0 stays: a step that varies in time with a mode can drive it, even where
-each step alone is stable (parametric resonance). The damping of springs, of hourglass control and of
+changed by more than CHANGE. It grows by GROWTH at most, since a step that varies in time with a mode can drive it, even
+where each step alone is stable (parametric resonance). The damping of springs, of hourglass control and of
 *DAMPING_PART_STIFFNESS is part of r, and bulk viscosity as far as it acts in the highest mode alone. Where elements are
 compressed steadily it acts at all times and shortens h itself; the last term follows that, with r_K by stiffness alone.
 """
@@ -25,6 +25,7 @@ from vmharness.explicit.timestep.highest_mode import Mode, highest_mode, respons
 SAFE = 0.95  # of 2/omega_max: it is found to 1 %, and changes by CHANGE until it is found again
 CHANGE = 0.02  # of an element's own step
 CHECK_EVERY = 20  # cycles
+GROWTH = 0.002  # of r h_0 from one check to the next
 NEAR = 1.5  # times the shortest step: longer ones do not limit the step, since r is not below 1/1.5 by far
 REPEATS = 6  # where damping makes r depend on dt
 SETTLED = 1.01  # of theta = (dt/dt_stable)^2
@@ -35,12 +36,15 @@ class StableStep:
 
     def __init__(self, model: Model) -> None:
         self.model, self.blocks = model, model.blocks
-        self.bound = self.ratio = self.stiff = np.inf  # r h_0, r, r_K
-        self.where = ""  # the element that limits the step
+        self.ratio = self.stiff = np.inf  # r, r_K
+        self.bound = np.inf  # r h_0
+        self.where = "the elements"  # the one that limits the step
         self._at: Array | None = None  # the elements' own steps at the last estimate
+        self._own = np.inf  # the shortest of them, h_0
         self._mode: Mode | None = None
         self._checked = -CHECK_EVERY
         self._fraction = 1.0  # the smallest of LS-DYNA's step that was taken
+        self._used = 0.0  # the largest step that was taken, over r h_0
 
     def limited(self, dt: float) -> float:
         """The step `dt`, or the stable one where that is shorter: then a fact of the run says so."""
@@ -50,8 +54,10 @@ class StableStep:
         if cycle >= self._checked + CHECK_EVERY:
             self._checked = cycle
             self._renew()
+            self.bound = min(self.ratio * self._own, (1.0 + GROWTH) * self.bound)
         own = min(block.stable_step() for block in self.blocks)
         longest = min(max(tssfac, SAFE) * self.bound, max(tssfac, 1.0) * self.stiff * own)
+        self._used = max(self._used, min(dt, longest) / self.bound)
         if not longest < dt:
             return dt
         if longest < 0.999 * self._fraction * dt:
@@ -63,19 +69,14 @@ class StableStep:
         return longest
 
     def blame(self) -> str:
-        """How the last step compares with the stable one, for the message of a run that has diverged."""
-        dt, tssfac = self.model.state.dt, self.model.step_factor
-        if not np.isfinite(self.bound):
-            return (
-                f"no element that can vibrate limits the step; a smaller TSSFAC than {tssfac:g} shortens it"
-            )
-        used = dt / self.bound
+        """How the steps compare with the stable one, for the message of a run that has diverged."""
+        tssfac, used = self.model.step_factor, self._used
         advice = (
-            f"TSSFAC = {SAFE * tssfac / used:.2g} would be stable"
+            f"TSSFAC = {SAFE * tssfac / used:.2g} is stable"
             if used > 1.0
             else "the elements bear it; a smaller TSSFAC shows whether contact, spring or load does not"
         )
-        return f"the last step was {used:.3g} of the stable one of {self.where}, with TSSFAC = {tssfac:g}: {advice}"
+        return f"the step was up to {used:.3g} of the stable one of {self.where}, with TSSFAC = {tssfac:g}: {advice}"
 
     def _renew(self) -> None:
         """Find r, unless the steps of the elements are as they were."""
@@ -86,11 +87,11 @@ class StableStep:
             near = np.minimum(steps, self._at) < NEAR * steps.min()
             if (np.abs(steps - self._at)[near] <= CHANGE * self._at[near]).all():
                 return
-        self._at = steps
-        self._estimate(float(steps.min()))
+        self._at, self._own = steps, float(steps.min())
+        self._estimate()
 
-    def _estimate(self, own: float) -> None:
-        dt, start = own, self._mode.z if self._mode else None
+    def _estimate(self) -> None:
+        dt, start = self._own, self._mode.z if self._mode else None
         for _ in range(REPEATS):
             mode = highest_mode(self.model, dt, start)
             if not np.isfinite(mode.theta):
@@ -100,8 +101,7 @@ class StableStep:
             dt, start = dt / mode.theta**0.5, mode.z
         self._mode = mode
         if mode.theta > 0.0:
-            self.ratio, self.stiff = (float(dt / own / part**0.5) for part in (mode.theta, mode.stiff))
-            self.bound = self.ratio * own
+            self.ratio, self.stiff = (float(dt / self._own / part**0.5) for part in (mode.theta, mode.stiff))
             self.where = largest_share(self.model, mode, dt)
 
 
