@@ -40,14 +40,14 @@ def steps(model: Model) -> Iterator[State]:
         size = accelerate(s.a, s.alpha, s.f, s.moment, model.inverse_mass, model.inverse_inertia)
         if not math.isfinite(size):
             what = "the motion is no longer finite: the run has diverged"
-            raise SolverError(s, what, model.largest_acceleration())
+            raise SolverError(s, what, f"{model.largest_acceleration()}; {stable.blame()}")
         for constraint in model.constraints:
             constraint.accelerate(s)
 
         yield s
         ended = s.t >= model.end_time or s.cycle >= model.end_cycle
         if (ended or s.cycle % BALANCE_EVERY == 0) and (excess := balance.excess()):
-            raise SolverError(s, excess, model.largest_acceleration())
+            raise SolverError(s, excess, f"{model.largest_acceleration()}; {stable.blame()}")
         if ended:
             return
 

@@ -1,21 +1,18 @@
 """The stable step of the whole model, where it is below the elements' own.
 
-The elements' own step is LS-DYNA's: a length over a wave speed. It is a bound for a mesh that is large, or held. It is
-none for a free cube, which at nu = 0.3 is stable up to 0.734 of it only. The step of the run is therefore
+The elements' own step h is LS-DYNA's: a length over a wave speed. It is a bound for a mesh that is large, or held. It
+is none for a free cube, which at nu = 0.3 is stable up to 0.734 of it only. The step of the run is therefore
 
-    dt = min(TSSFAC h, max(TSSFAC, SAFE) r h)
+    dt = min(TSSFAC h, max(TSSFAC, SAFE) r h_0, max(TSSFAC, 1) r_K h)
 
-with h the shortest own step of the elements and r h = 2/omega_max of the model. It is LS-DYNA's wherever that is
-stable. With TSSFAC > 1 the user asks for more than the stable step; the run then takes it.
+with h_0 = h at the last estimate and r h_0 = 2/omega_max of the model. It is LS-DYNA's wherever that is stable. With
+TSSFAC > 1 the user asks for more than the stable step; the run then takes it.
 
 The ratio r is found at the start (highest_mode.py), and again when the own step of an element near the shortest has
-changed by more than CHANGE; it is checked every CHECK_EVERY cycles. The damping of springs, of hourglass control and of
+changed by more than CHANGE. It grows by GROWTH at most, since a step that varies in time with a mode can drive it, even
+where each step alone is stable (parametric resonance). The damping of springs, of hourglass control and of
 *DAMPING_PART_STIFFNESS is part of r, and bulk viscosity as far as it acts in the highest mode alone. Where elements are
-compressed steadily it acts at all times: the step is then at most r_K h_q, with h_q the own step with bulk viscosity,
-and r_K by stiffness alone.
-
-Bulk viscosity makes h_q jump by 6 % whenever an element is compressed. A step that jumps in time with a mode drives it
-(parametric resonance), even where each step alone is stable. The step therefore grows by at most GROWTH in a cycle.
+compressed steadily it acts at all times and shortens h itself; the last term follows that, with r_K by stiffness alone.
 """
 
 import numpy as np
@@ -25,12 +22,13 @@ from vmharness.explicit.model.model import Model
 from vmharness.explicit.state import Array
 from vmharness.explicit.timestep.highest_mode import Mode, highest_mode, response
 
-SAFE = 0.95  # of 2/omega_max: it is found to 1 %, and the next step of the motion changes it
-CHANGE = 0.05  # of an element's own step, until r is found again
+SAFE = 0.95  # of 2/omega_max: it is found to 1 %, and changes by CHANGE until it is found again
+CHANGE = 0.02  # of an element's own step
 CHECK_EVERY = 20  # cycles
-GROWTH = 0.005  # of the step from one cycle to the next
+GROWTH = 0.002  # of r h_0 from one check to the next
 NEAR = 1.5  # times the shortest step: longer ones do not limit the step, since r is not below 1/1.5 by far
 REPEATS = 6  # where damping makes r depend on dt
+SETTLED = 1.01  # of theta = (dt/dt_stable)^2
 
 
 class StableStep:
@@ -38,26 +36,28 @@ class StableStep:
 
     def __init__(self, model: Model) -> None:
         self.model, self.blocks = model, model.blocks
-        self.factor = max(model.step_factor, SAFE)
-        self.bound = self.ratio = self.stiff = np.inf  # r h, r, r_K
-        self.where = ""  # the element that limits the step
+        self.ratio = self.stiff = np.inf  # r, r_K
+        self.bound = np.inf  # r h_0
+        self.where = "the elements"  # the one that limits the step
         self._at: Array | None = None  # the elements' own steps at the last estimate
+        self._own = np.inf  # the shortest of them, h_0
         self._mode: Mode | None = None
         self._checked = -CHECK_EVERY
-        self._steady = np.inf  # the shortest own step, that grows slowly
         self._fraction = 1.0  # the smallest of LS-DYNA's step that was taken
+        self._used = 0.0  # the largest step that was taken, over r h_0
 
     def limited(self, dt: float) -> float:
-        """The step `dt`, or a shorter one that is stable; a fact of the run says where it is shorter than LS-DYNA's."""
+        """The step `dt`, or the stable one where that is shorter: then a fact of the run says so."""
         if not self.blocks:
             return dt
-        cycle, own = self.model.state.cycle, min(block.stable_step() for block in self.blocks)
+        cycle, tssfac = self.model.state.cycle, self.model.step_factor
         if cycle >= self._checked + CHECK_EVERY:
             self._checked = cycle
             self._renew()
-        self._steady = min(own, self._steady * (1.0 + GROWTH))
-        dt = min(dt, self.model.step_factor * self._steady)
-        longest = self.factor * min(self.bound, self.stiff * own)
+            self.bound = min(self.ratio * self._own, (1.0 + GROWTH) * self.bound)
+        own = min(block.stable_step() for block in self.blocks)
+        longest = min(max(tssfac, SAFE) * self.bound, max(tssfac, 1.0) * self.stiff * own)
+        self._used = max(self._used, min(dt, longest) / self.bound)
         if not longest < dt:
             return dt
         if longest < 0.999 * self._fraction * dt:
@@ -68,31 +68,40 @@ class StableStep:
             )
         return longest
 
+    def blame(self) -> str:
+        """How the steps compare with the stable one, for the message of a run that has diverged."""
+        tssfac, used = self.model.step_factor, self._used
+        advice = (
+            f"TSSFAC = {SAFE * tssfac / used:.2g} is stable"
+            if used > 1.0
+            else "the elements bear it; a smaller TSSFAC shows whether contact, spring or load does not"
+        )
+        return f"the step was up to {used:.3g} of the stable one of {self.where}, with TSSFAC = {tssfac:g}: {advice}"
+
     def _renew(self) -> None:
+        """Find r, unless the steps of the elements are as they were."""
         steps = own_steps(self.model, self.blocks)
-        if not np.isfinite(steps.min(initial=np.inf)):
+        if not np.isfinite(steps.min()):
             return
-        self.bound = self.ratio * float(steps.min())
         if self._at is not None:
             near = np.minimum(steps, self._at) < NEAR * steps.min()
             if (np.abs(steps - self._at)[near] <= CHANGE * self._at[near]).all():
                 return
-        self._at = steps
-        self._estimate(float(steps.min()))
+        self._at, self._own = steps, float(steps.min())
+        self._estimate()
 
-    def _estimate(self, own: float) -> None:
-        dt, start = own, self._mode.z if self._mode else None
+    def _estimate(self) -> None:
+        dt, start = self._own, self._mode.z if self._mode else None
         for _ in range(REPEATS):
             mode = highest_mode(self.model, dt, start)
             if not np.isfinite(mode.theta):
                 return  # the motion has diverged
-            if mode.theta <= 1.01:
+            if mode.theta <= SETTLED:
                 break
             dt, start = dt / mode.theta**0.5, mode.z
         self._mode = mode
         if mode.theta > 0.0:
-            self.ratio, self.stiff = (dt / own / part**0.5 for part in (mode.theta, mode.stiff))
-            self.bound = self.ratio * own
+            self.ratio, self.stiff = (float(dt / self._own / part**0.5) for part in (mode.theta, mode.stiff))
             self.where = largest_share(self.model, mode, dt)
 
 

@@ -28,9 +28,9 @@ FAULTS = (
         name="unstable_step",
         text="The time step is 2.5 times the stable one",
         kind="integration",
-        module="vmharness.explicit.model.model",
-        sound="self.step_factor * block",
-        faulty="2.5 * self.step_factor * block",
+        module="vmharness.explicit.loop",
+        sound="stable.limited(",
+        faulty="2.5 * stable.limited(",
     ),
     # Materials
     SolverFault(

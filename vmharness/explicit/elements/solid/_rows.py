@@ -26,7 +26,7 @@ ROWS = 120
 ROTATION, VISCOSITY, RESISTANCE = 0, 4, 5
 KEPT = 17
 
-MASS, MODULUS = 0, 1  # rows of `fixed`
+MASS, MODULUS, SPEED = 0, 1, 2  # rows of `fixed`; the last is the wave speed c
 
 
 @inlined

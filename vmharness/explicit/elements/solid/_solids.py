@@ -9,12 +9,14 @@ from numpy.typing import NDArray
 from vmharness.explicit.damping.damped_law import damped, memory, solid, unload
 from vmharness.explicit.elements.solid._channel import CHANNELS, COMPONENTS, stress_in_space
 from vmharness.explicit.elements.solid._gradient import measures
-from vmharness.explicit.elements.solid._rows import KEPT, MASS, MODULUS, ROTATION, ROWS, VISCOSITY
+from vmharness.explicit.elements.solid._rows import KEPT, MASS, MODULUS, ROTATION, ROWS, SPEED, VISCOSITY
 from vmharness.explicit.elements.solid._stress import compiled_step
 from vmharness.explicit.force import copy_of
 from vmharness.explicit.kernels.simd import LANES, by_block, by_element
 from vmharness.explicit.materials import has_long_curve
 from vmharness.explicit.state import Array, Index, State
+
+GROWTH = 0.002  # of the stable step in a cycle
 
 
 class Hexahedra:
@@ -57,13 +59,14 @@ class Hexahedra:
         self._step = compiled_step(step, law, has_long_curve(constants))
         self._modulus, self._constants = modulus, constants
         self._viscous, self._hourglass = viscous, hourglass
-        self._stable = np.inf
+        self._stable = self._held = np.inf
         self._damped = False
         kept = np.zeros((elements, KEPT))
         kept[:, ROTATION] = 1.0
         self._kept = by_block(kept)
         self._nodes = by_block(nodes.astype(np.intp))
-        self._fixed = by_block(np.column_stack([8 * self.mass, np.broadcast_to(resistance, elements)]))
+        speed = np.broadcast_to((modulus / density) ** 0.5, elements)
+        self._fixed = by_block(np.column_stack([8 * self.mass, np.broadcast_to(resistance, elements), speed]))
         self._longest = float(self._overshoot().min())
         self._stress = by_block(np.zeros((elements, points, 6)))
         self._history = by_block(np.zeros((elements, points, history)))
@@ -74,7 +77,7 @@ class Hexahedra:
 
     def add(self, state: State) -> None:
         """Add forces at t_n, and the work of the step that led there."""
-        self._stable = self._step(
+        shortest = self._step(
             state.x, state.v, state.dt,
             self._nodes, self.elements, self._fixed,
             self._modulus, self._viscous, self._hourglass, self._constants,
@@ -82,24 +85,32 @@ class Hexahedra:
             state.f, self._energy,
             self._work,
         )  # fmt: skip
+        self._stable = min(shortest, (1.0 + GROWTH) * self._held)
+        self._held = self._stable
 
     def stable_step(self) -> float:
-        """The shortest L_e / (Q + sqrt(Q^2 + c^2)) at the last `add`, or less where hourglass control is strong."""
+        """The shortest L_e / (Q + sqrt(Q^2 + c^2)) at the last `add`, or less where hourglass control is strong.
+
+        It grows by at most GROWTH in a cycle. Otherwise bulk viscosity would make it jump by 6 % whenever an element is
+        compressed; a step that jumps in time with a mode drives it, even where each step alone is stable.
+        """
         return min(self._stable, self._longest)
 
     def steps(self, x: Array) -> Array:
         """L_e / c (ne,) at coordinates `x` (n, 3), or less where hourglass control is strong; no bulk viscosity."""
-        volume, _, length = measures(x[self.nodes])
-        mass = by_element(self._fixed, self.elements)[:, MASS]
-        return np.minimum(length * np.sqrt(mass / (self._modulus * volume)), self._overshoot())
+        *_, length = measures(x[self.nodes])
+        speed = by_element(self._fixed, self.elements)[:, SPEED]
+        return np.minimum(length / speed, self._overshoot())
 
     def scale_density(self, factor: Array) -> None:
         """Raise the densities by `factor` (ne,)."""
         fixed = by_element(self._fixed, self.elements).copy()
         fixed[:, MASS] *= factor
+        fixed[:, SPEED] /= np.sqrt(factor)
         if self._hourglass[0]:
             fixed[:, MODULUS] *= np.sqrt(factor)
         self._fixed[:] = by_block(fixed)
+        self._held = np.inf
         self._longest = float(self._overshoot().min())
 
     def damp(self, beta: Array) -> None:
@@ -127,7 +138,7 @@ class Hexahedra:
 
     def _overshoot(self) -> Array:
         """The longest step (ne,) at which a viscous hourglass force does not reverse the rate: 2 m q / Q."""
-        mass, modulus = by_element(self._fixed, self.elements).T
+        mass, modulus = by_element(self._fixed, self.elements)[:, : MODULUS + 1].T
         limited = (modulus > 0.0) & self._hourglass[0]
         return np.divide(2.0 * mass, modulus, out=np.full_like(mass, np.inf), where=limited)
 

@@ -142,7 +142,7 @@ def step(
         gather(v, nodes[block], work, V)
         motion(work, dt, kept[block])
         viscosity(work, dt, fixed[block], modulus, q1, q2, kept[block])
-        stable_step(work, fixed[block], modulus, q1, q2)
+        stable_step(work, fixed[block], q1, q2)
         clear_forces(work)
         for p in range(POINTS):
             xi, eta, zeta = (2 * (p & 1) - 1) * G, ((p & 2) - 1) * G, ((p & 4) // 2 - 1) * G

@@ -1,9 +1,9 @@
 """One step of many solids with one point: motion, strain, stress, hourglass forces, forces at the end of the step.
 
-Arrays per block of LANES elements, with rows as in solid/_rows.py: `nodes (blocks, 8 rows)`; `fixed (blocks, 2
-rows)`, mass and hourglass modulus; `kept (blocks, 17 rows)`, frame, bulk viscosity, hourglass forces; `stress (blocks,
-1, 6 rows)`; `history (blocks, 1, rows)`. The last block is filled with copies of the last element, which add neither
-force nor energy.
+Arrays per block of LANES elements, with rows as in solid/_rows.py: `nodes (blocks, 8 rows)`; `fixed (blocks, 3
+rows)`, mass, hourglass modulus, wave speed; `kept (blocks, 17 rows)`, frame, bulk viscosity, hourglass forces; `stress
+(blocks, 1, 6 rows)`; `history (blocks, 1, rows)`. The last block is filled with copies of the last element, which add
+neither force nor energy.
 """
 
 from typing import Any
@@ -122,7 +122,7 @@ def step(
         mean_strain(work, dt)
         stress_at_point(work, dt, constants, stress[block, 0], history[block, 0])
         viscosity(work, dt, fixed[block], modulus, q1, q2, kept[block])
-        stable_step(work, fixed[block], modulus, q1, q2)
+        stable_step(work, fixed[block], q1, q2)
         rates(work, dt, hourglass[1])
         forces(work, dt, fixed[block], hourglass[0], kept[block])
         force(work, stress[block, 0], hourglass[1])

@@ -1,8 +1,10 @@
 """Random decks of free meshes of every element, with random velocities: what must be stable at the default step."""
 
-from collections.abc import Iterator
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
@@ -164,13 +166,28 @@ def of_beams(rng: np.random.Generator, elform: int, cycles: int, extra: bool = F
     return deck(x, rng, 0.3, cards, bool(rng.integers(2)), cycles)
 
 
-def kinds() -> Iterator[tuple[str, object, tuple[object, ...]]]:
-    """Every element: its name, the function that makes a deck, and what it is given."""
-    for elform in (1, 2):
-        for shape in ("hexahedra", "wedges"):
-            yield f"{shape} of ELFORM {elform}", of_solids, (shape, elform)
-    for shape in ("quadrilaterals", "triangles"):
-        for isdo in (0, 1, 2):
-            yield f"{shape} with ISDO {isdo}", of_shells, (shape, isdo)
-    yield "beams", of_beams, (2,)
-    yield "trusses", of_beams, (3,)
+KINDS: dict[str, tuple[Callable[..., str], tuple[Any, ...]]] = {
+    **{
+        f"{shape} of ELFORM {elform}": (of_solids, (shape, elform))
+        for elform in (1, 2)
+        for shape in ("hexahedra", "wedges")
+    },
+    **{
+        f"{shape} with ISDO {isdo}": (of_shells, (shape, isdo))
+        for shape in ("quadrilaterals", "triangles")
+        for isdo in (0, 1, 2)
+    },
+    "beams": (of_beams, (2,)),
+    "trusses": (of_beams, (3,)),
+}
+
+
+@pytest.fixture
+def free_mesh() -> Callable[..., str]:
+    """A deck of a random free mesh: kind, number of the random choice, cycles, whether with springs and masses."""
+
+    def made(kind: str, seed: int, cycles: int, extra: bool) -> str:
+        make, given = KINDS[kind]
+        return make(np.random.default_rng([seed, len(kind)]), *given, cycles, extra)
+
+    return made
