@@ -4,6 +4,7 @@ Each error of a template is a CaseError with the line. Nesting, memory and outpu
 process that reads the case.
 """
 
+import math
 import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -13,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 from vmharness.case.decode import utf8
 from vmharness.case.error import CaseError
 from vmharness.execution.memory import GIGABYTE, at_most
+from vmharness.round_off import ROUND_OFF
 
 if TYPE_CHECKING:
     from jinja2 import Environment, Template, nodes
@@ -26,19 +28,29 @@ COMPILED = "<template>"  # the file of the code that Jinja2 makes
 
 
 def render(path: Path, values: Mapping[str, float], most: float = MOST) -> str:
-    """The deck that the template makes of `values`; whole numbers become integers.
+    """The deck that the template makes of `values`; numbers that are whole to round-off become integers.
 
     Raises CaseError with the line for an error in the template or an undefined name, and if the deck has more than
     `most` characters.
     """
     place = f"{path.parent.name}/{path.name}"
-    numbers = {name: int(value) if value.is_integer() else value for name, value in values.items()}
+    numbers = {name: _whole(value) for name, value in values.items()}
     text = utf8(path.read_bytes(), place)
     try:
         with at_most(MEMORY):
             return "".join(_pieces(_compiled(text, place), numbers, most, place))
     except MemoryError as error:
         raise CaseError(f"{place}: {_what(error)}") from None
+
+
+def _whole(value: float) -> float | int:
+    """The whole number nearest to the result of a formula, where only round-off lies between them.
+
+    >>> _whole(0.7 * 10.0 * 3.0), _whole(2.5)
+    (21, 2.5)
+    """
+    nearest = round(value) if math.isfinite(value) else value
+    return nearest if abs(value - nearest) <= ROUND_OFF * abs(value) else value
 
 
 def _compiled(text: str, place: str) -> "Template":
