@@ -11,6 +11,7 @@ class Verdict(StrEnum):
     PASS = "pass"
     FAIL = "fail"  # out of tolerance
     ERROR = "error"  # could not be judged
+    UNREPORTED = "not reported"  # the results do not hold the quantity: neither a pass nor a failure
 
 
 @dataclass(frozen=True)
@@ -86,7 +87,11 @@ def _judge(target: float, value: float, tolerance: Tolerance, scale: float) -> t
 
 
 def worst(verdicts: list[Verdict]) -> Verdict:
-    """The worst of many verdicts; an error if there is none."""
+    """The worst of many verdicts; an error if nothing was judged.
+
+    >>> worst([Verdict.PASS, Verdict.UNREPORTED]), worst([Verdict.UNREPORTED])
+    (<Verdict.PASS: 'pass'>, <Verdict.ERROR: 'error'>)
+    """
     for verdict in (Verdict.ERROR, Verdict.FAIL, Verdict.PASS):
         if verdict in verdicts:
             return verdict

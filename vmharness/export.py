@@ -23,7 +23,8 @@ Percent = Annotated[
 Verdict = Annotated[
     str,
     Meta(
-        description="pass, fail (out of tolerance), error (could not be judged). More may follow: "
+        description="pass, fail (out of tolerance), error (could not be judged), "
+        "not reported (the results do not hold the quantity). More may follow: "
         "a reader takes one that it does not know as not judged."
     ),
 ]

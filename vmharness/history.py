@@ -1,7 +1,7 @@
 """A history: named channels over time, the same for every solver."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, TYPE_CHECKING
 
@@ -20,20 +20,26 @@ class HistoryError(ValueError):
 
 @dataclass(frozen=True)
 class History:
-    """Channels over time, all sampled at the same instants, in the consistent units of the case.
+    """Channels over time, in the consistent units of the case.
 
-    `time` is (n,) and increases; every channel is (n,). Raises HistoryError where that does not hold.
+    `time` is (n,) and increases; every channel is (n,), sampled at these instants. A channel of another file may have
+    its own instants (m,), and then is (m,). Raises HistoryError where that does not hold.
     """
 
     time: Array
     channels: Mapping[str, Array]
+    own: Mapping[str, Array] = field(
+        default_factory=dict
+    )  # instants of channels that are not sampled at `time`
 
     def __post_init__(self) -> None:
-        if np.any(np.diff(self.time) <= 0.0):
-            raise HistoryError("time does not increase from sample to sample")
+        for time in (self.time, *self.own.values()):
+            if np.any(np.diff(time) <= 0.0):
+                raise HistoryError("time does not increase from sample to sample")
         for name, values in self.channels.items():
-            if values.shape != self.time.shape:
-                raise HistoryError(f"channel {name} has {values.size} samples, time has {self.time.size}")
+            if values.shape != self.time_of(name).shape:
+                size = self.time_of(name).size
+                raise HistoryError(f"channel {name} has {values.size} samples, time has {size}")
 
     def __getitem__(self, name: str) -> Array:
         """The samples of channel `name`, (n,); `time` is a channel too."""
@@ -44,12 +50,21 @@ class History:
         except KeyError:
             raise HistoryError(f"no channel {name}; recorded: {', '.join(self.channels)}") from None
 
+    def __contains__(self, name: object) -> bool:
+        """Whether there is a channel `name`; `time` is a channel too."""
+        return name == "time" or name in self.channels
+
     def __len__(self) -> int:
         return self.time.size
 
+    def time_of(self, name: str) -> Array:
+        """The instants at which channel `name` is sampled."""
+        return self.own.get(name, self.time)
+
     def samples(self, chosen: NDArray[np.intp] | slice) -> "History":
-        """The history of the chosen samples alone, in their order."""
-        return History(self.time[chosen], {name: values[chosen] for name, values in self.channels.items()})
+        """The history of the chosen samples alone, in their order; channels with instants of their own are left out."""
+        channels = {name: values[chosen] for name, values in self.channels.items() if name not in self.own}
+        return History(self.time[chosen], channels)
 
     def at(self, name: str, t: ArrayLike) -> Array:
         """Channel `name` at the times `t` (m,) within the run, by cubic Hermite interpolation.
@@ -60,13 +75,13 @@ class History:
         from scipy.interpolate import CubicHermiteSpline
 
         t = np.asarray(t, float)
-        values = self[name]
-        if not (t.size and self.time[0] <= t.min() and t.max() <= self.time[-1]):
-            raise HistoryError(f"{name} is asked for outside the run, {self.time[0]:g} to {self.time[-1]:g}")
+        values, time = self[name], self.time_of(name)
+        if not (t.size and time[0] <= t.min() and t.max() <= time[-1]):
+            raise HistoryError(f"{name} is asked for outside the run, {time[0]:g} to {time[-1]:g}")
         # Slopes need two neighbours on either side; the rest of a long history is not touched.
-        first = max(int(np.searchsorted(self.time, t.min())) - 3, 0)
-        last = int(np.searchsorted(self.time, t.max())) + 4
-        time, values = self.time[first:last], values[first:last]
+        first = max(int(np.searchsorted(time, t.min())) - 3, 0)
+        last = int(np.searchsorted(time, t.max())) + 4
+        time, values = time[first:last], values[first:last]
         slopes = np.gradient(values, time, edge_order=2 if time.size > 2 else 1)
         return np.asarray(CubicHermiteSpline(time, values, slopes)(t))
 

@@ -1,6 +1,6 @@
 """Measurement of the declared events and channels of a case in a history."""
 
-from vmharness.case import Case
+from vmharness.case import Case, format
 from vmharness.events import Event, EventError, crossings, ends, find, minima, onsets
 from vmharness.history import History, HistoryError
 
@@ -11,23 +11,27 @@ def find_event(case: Case, name: str, history: History) -> Event | str:
     try:
         if event.at is not None:
             return _given(case.evaluate(f"at {name}"), history)
+        channel = watched(event)
+        time, values = history.time_of(channel), history[channel]
         if event.onset_of:
-            return find(onsets, history.time, history[event.onset_of], event.times, event.pick)
+            return find(onsets, time, values, event.times, event.pick)
         if event.end_of:
-            return find(ends, history.time, history[event.end_of], event.times, event.pick)
+            return find(ends, time, values, event.times, event.pick)
         if event.minimum_of:
-            return find(minima, history.time, history[event.minimum_of], event.times, event.pick)
+            return find(minima, time, values, event.times, event.pick)
         if event.maximum_of:
-            return find(minima, history.time, -history[event.maximum_of], event.times, event.pick)
-        assert event.crossing_of is not None
+            return find(minima, time, -values, event.times, event.pick)
         assert event.direction is not None
         level, direction = case.evaluate(f"level {name}"), event.direction
-        values = history[event.crossing_of]
-        return find(
-            lambda t, y: crossings(t, y, level, direction), history.time, values, event.times, event.pick
-        )
+        return find(lambda t, y: crossings(t, y, level, direction), time, values, event.times, event.pick)
     except (EventError, HistoryError) as error:
         return f"{event.title}: {error}"
+
+
+def watched(event: format.Event) -> str:
+    """The channel in which the event is found; `time` for a given time."""
+    of = (event.onset_of, event.end_of, event.crossing_of, event.minimum_of, event.maximum_of)
+    return next((channel for channel in of if channel), "time")
 
 
 def _given(t: float, history: History) -> Event:

@@ -13,7 +13,7 @@ from vmharness.case import Case
 from vmharness.case.format import Event, Published
 from vmharness.formula import Unit
 from vmharness.history import History
-from vmharness.measure import value_at
+from vmharness.measure import value_at, watched
 from vmharness.result import Reading
 from vmharness.round_off import ROUND_OFF
 
@@ -60,7 +60,7 @@ def _column(case: Case, history: History, column: Published, interval: float) ->
         factor = case.units.factor(Unit(result.unit))
         text = column.values[result.key]
         other = None
-        if (t := column.exactly_at.get(result.key)) is not None and t <= history.time[-1]:
+        if (t := column.exactly_at.get(result.key)) is not None and t <= history.time_of(result.channel)[-1]:
             other = (t, value_at(history, result.channel, t) / factor)
         rows.append(
             Reading(
@@ -96,6 +96,8 @@ def read_off(case: Case, sampled: History, key: str, before: int = 0) -> tuple[f
     """
     result = case.result(key)
     event = case.file.events[result.event]
+    if result.channel not in sampled or watched(event) not in sampled:
+        return None
     state = state_of(event, sampled)
     if state is None:
         return None

@@ -71,6 +71,17 @@ class Reading:
 
 
 @dataclass(frozen=True)
+class Source:
+    """Where a channel was read from, and how well it is known there: what a tolerance for it must allow."""
+
+    file: str
+    format: str
+    interval: float  # the longest between two samples, in consistent units
+    digits: float  # significant decimal digits of a value
+    scheme: str  # at which instants the values of a cycle hold
+
+
+@dataclass(frozen=True)
 class Solution:
     """What a solver makes of a deck."""
 
@@ -86,6 +97,9 @@ class Solution:
     files: Mapping[str, str] = field(default_factory=dict)  # sha256 by name: the deck and what it includes
     view: View | None = None
     resolved_deck: str = ""  # the deck that ran, where it is not that of the case's folder
+    unreported: Mapping[str, str] = field(default_factory=dict)  # channels that it does not give, and why
+    sources: Mapping[str, Source] = field(default_factory=dict)  # where channels were read from, by name
+    unfinished: str = ""  # why an event that did not happen may have come later
 
 
 @dataclass(frozen=True)
@@ -135,4 +149,11 @@ class CaseRun:
         if self.solution.failure:
             return self.solution.failure
         wrong = [row for row in self.rows if row.verdict is self.verdict and row.comparison.reason]
+        if not wrong and self.verdict is Verdict.ERROR:
+            wrong = [row for row in self.rows if row.comparison.reason]
         return f"{wrong[0].key}: {wrong[0].comparison.reason}" if wrong else ""
+
+    @property
+    def unreported(self) -> list[Row]:
+        """The rows of which the results do not hold the quantity."""
+        return [row for row in self.rows if row.verdict is Verdict.UNREPORTED]

@@ -10,8 +10,8 @@ from vmharness.case.tolerance import budget
 from vmharness.compare import Comparison, Tolerance, Verdict, compare
 from vmharness.events import Event
 from vmharness.formula import Unit
-from vmharness.history import History
-from vmharness.measure import find_event, value_at
+from vmharness.history import History, HistoryError
+from vmharness.measure import find_event, value_at, watched
 from vmharness.reading import readings
 from vmharness.result import CaseRun, Published, Row, Solution
 from vmharness.solve import Progress, solve
@@ -54,12 +54,18 @@ def _row(case: Case, result: Result, solution: Solution, event: Event | str) -> 
     factor = case.units.factor(Unit(result.unit))
     tolerance = Tolerance(result.tolerance.relative, result.tolerance.absolute)
     target = case.target(result.key) / factor
-    if isinstance(event, str) or solution.history is None:
+    absent = [
+        name
+        for name in (watched(case.file.events[result.event]), result.channel)
+        if name in solution.unreported
+    ]
+    if absent:
+        why = f"{absent[0]} {solution.unreported[absent[0]]}"
+        comparison = _unjudged(target, tolerance, Verdict.UNREPORTED, why)
+    elif isinstance(event, str) or solution.history is None:
         comparison = _missing(target, tolerance, str(event), solution)
     else:
-        scale = _scale(solution.history, result.channel) / factor
-        value = value_at(solution.history, result.channel, event.time) / factor
-        comparison = compare(target, value, tolerance, scale)
+        comparison = _compared(result, target, tolerance, factor, event, solution.history)
     return Row(
         key=result.key,
         label=result.label,
@@ -77,9 +83,26 @@ def _row(case: Case, result: Result, solution: Solution, event: Event | str) -> 
     )
 
 
+def _compared(
+    result: Result, target: float, tolerance: Tolerance, factor: float, event: Event, history: History
+) -> Comparison:
+    """The value at the event, compared; a channel that has no samples there cannot be judged."""
+    try:
+        value = value_at(history, result.channel, event.time) / factor
+    except HistoryError as error:
+        return _unjudged(target, tolerance, Verdict.ERROR, str(error))
+    return compare(target, value, tolerance, _scale(history, result.channel) / factor)
+
+
 def _missing(target: float, tolerance: Tolerance, why: str, solution: Solution) -> Comparison:
     """An event that did not happen fails its results; one that an unfinished run never reached cannot be judged."""
-    verdict = Verdict.ERROR if solution.failure else Verdict.FAIL
+    if solution.unfinished:
+        why = f"{why}; {solution.unfinished}"
+    verdict = Verdict.ERROR if solution.failure or solution.unfinished else Verdict.FAIL
+    return _unjudged(target, tolerance, verdict, why)
+
+
+def _unjudged(target: float, tolerance: Tolerance, verdict: Verdict, why: str) -> Comparison:
     return Comparison(target, float("nan"), tolerance, None, None, None, verdict, why)
 
 

@@ -9,8 +9,8 @@ from tempfile import TemporaryDirectory
 from vmharness.backends.protocol import Backend, Job, full_name
 from vmharness.case import Case, CaseError
 from vmharness.case.deck import read_deck
-from vmharness.deck import Deck, DeckError, write_long
-from vmharness.mesh.view import View, view_of
+from vmharness.deck import DeckError, write_long
+from vmharness.mesh.view import drawable
 from vmharness.result import Solution
 
 Progress = Callable[[float], None]
@@ -50,14 +50,6 @@ def solve(
         seconds_loop=output.seconds,
         notes=(*deck.notes, *output.notes),
         files=deck.files,
-        view=_view(deck),
+        view=drawable(deck),
         resolved_deck=write_long(deck) if case.deck_parameters() else case.deck_source(),
     )
-
-
-def _view(deck: Deck) -> View | None:
-    """The model as it is drawn; None if the deck refers to something that it does not define."""
-    try:
-        return view_of(deck)
-    except DeckError:
-        return None

@@ -68,14 +68,14 @@ def run_cases(found: Sequence[Entry], wanted: Wanted) -> tuple[list[Outcome], li
         if wanted.report:
             call(partial(reports.get_ready))
         for broken in outcomes:
-            unwritten += _page(call, broken, wanted)
+            unwritten += write_page(call, broken, wanted)
         _say_notice(wanted.solver)
         events = judged(pool, cases, wanted.solver, wanted.timeout, call)
         try:
             for outcome in case_bars(timed(events), [case.id for case in cases]):
                 outcomes.append(outcome)
                 _record(wanted, [outcome])
-                unwritten += _page(call, outcome, wanted)
+                unwritten += write_page(call, outcome, wanted)
                 if len(cases) > 1:
                     say(f"{outcome.id}: {outcome.status}")
         except KeyboardInterrupt:
@@ -120,7 +120,7 @@ def _export(name: str, run: "Callable[[], Run]", path: Path) -> None:
     reports.write_export(name, run(), path)
 
 
-def _page(call: Caller, outcome: Outcome, wanted: Wanted) -> list[Unwritten]:
+def write_page(call: Caller, outcome: Outcome, wanted: Wanted) -> list[Unwritten]:
     """Write the page of an outcome; else the page of an earlier run would show a verdict that no longer holds."""
     if not wanted.report:
         return []

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 NARROW = 72  # columns that the table of results needs
 SMALL = 1e-4  # percent: errors are in powers of ten where the tolerance is smaller
-COLOURS = {Status.PASS: "green", Status.FAIL: "red"}  # all others are yellow
+COLOURS: dict[str, str] = {Status.PASS: "green", Status.FAIL: "red"}  # all others are yellow
 
 
 def summarise(
@@ -56,10 +56,10 @@ def _results(run: "CaseRun") -> None:
             table.add_row(
                 f"  {row.label} ({row.unit})" if row.unit else f"  {row.label}",
                 f"{c.target:.6g}",
-                f"{c.value:.6g}",
+                "–" if row.verdict is Verdict.UNREPORTED else f"{c.value:.6g}",
                 _error(c),
                 _number(c.share, ".1%").removesuffix("%"),
-                _coloured(Status(row.verdict)),
+                _coloured(row.verdict),
             )
     say_table(table)
 
@@ -85,10 +85,10 @@ def _cases(outcomes: Sequence[Outcome]) -> None:
     say_table(table)
 
 
-def _coloured(status: Status) -> "Text":
+def _coloured(status: Status | Verdict) -> "Text":
     from rich.text import Text
 
-    return Text(status, COLOURS.get(status, "yellow"))
+    return Text(status, COLOURS.get(str(status), "yellow"))
 
 
 def _explain(outcome: Outcome, again: Mapping[str, str], debug: bool) -> None:
@@ -115,6 +115,8 @@ def _not_passed(run: "CaseRun | None") -> "list[Row]":
 def _line(row: "Row") -> str:
     """A result in a line: key, value and target with their unit; error and tolerance in percent, or else the reason."""
     c = row.comparison
+    if row.verdict is Verdict.UNREPORTED:
+        return f"{row.key}: not reported: {c.reason}"
     unit = f" {row.unit}" if row.unit else ""
     line = f"{row.key}: {c.value:.7g}{unit}, target {c.target:.7g}{unit}"
     if c.error_percent is not None and c.tolerance_percent is not None:

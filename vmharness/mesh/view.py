@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.deck import Deck
+from vmharness.deck import Deck, DeckError
 from vmharness.deck.keywords.constrained.joint import (
     CONSTRAINED_JOINT_REVOLUTE,
     CONSTRAINED_JOINT_SPHERICAL,
@@ -99,6 +99,14 @@ def view_of(deck: Deck) -> View:
         walls=tuple(walls(deck, nodes)),
         orienting=frozenset(_orienting(deck, nodes).difference(*(each.ravel().tolist() for each in used))),
     )
+
+
+def drawable(deck: Deck) -> View | None:
+    """The view of the deck; None if the deck refers to something that it does not define."""
+    try:
+        return view_of(deck)
+    except DeckError:
+        return None
 
 
 def _dampers(deck: Deck) -> set[int]:

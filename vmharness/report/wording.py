@@ -12,7 +12,7 @@ from vmharness.round_off import ROUND_OFF, rounded
 from vmharness.studies.sensitivity import DIGITS, PLACES, Sensitivity, smallest_seen
 
 VISIBLE = 200  # a tolerance of so many times round-off, of which that is half a percent
-SIGNS = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.ERROR: "!"}
+SIGNS = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.ERROR: "!", Verdict.UNREPORTED: "–"}
 
 
 def sign(verdict: Verdict) -> str:
@@ -35,6 +35,9 @@ def summary(run: CaseRun) -> str:
         return run.reason or "no result has a verdict"
     worst = worst_row(run)
     line = f"All {len(run.rows)} results are within their tolerances"
+    if missing := len(run.unreported):
+        judged = len(run.rows) - missing
+        line = f"{judged} of {len(run.rows)} results are within their tolerances, {missing} not reported"
     if worst is None:
         return f"{line}."
     if worst.used == 0.0:

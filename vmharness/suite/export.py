@@ -24,9 +24,12 @@ JUDGED = (Status.PASS, Status.FAIL)
 
 
 def exported(outcomes: Iterable[Outcome], found: Iterable[Entry], solver: str, began: Began) -> export.Run:
-    """A run of the cases `found` by one solver; an outcome whose id is none of theirs is that of a wrong selector."""
+    """A run of the cases `found` by one solver; an outcome whose id is none of theirs is that of a wrong selector.
+
+    Without a solver, results made elsewhere were judged.
+    """
     entries = {entry.id: entry for entry in found}
-    asked = _solver(solver)
+    asked = [_solver(solver)] if solver else []
     ordered = sorted(outcomes, key=lambda outcome: outcome.id)
     return export.Run(
         schema=export.SCHEMA,
@@ -42,9 +45,11 @@ def exported(outcomes: Iterable[Outcome], found: Iterable[Entry], solver: str, b
             python=machine.python(),
             packages=machine.versions(),
         ),
-        solvers=[asked],
+        solvers=asked,
         counts=dict(Counter(str(outcome.status) for outcome in ordered)),
-        cases=[_case(outcome, entries.get(outcome.id), asked.version) for outcome in ordered],
+        cases=[
+            _case(outcome, entries.get(outcome.id), asked[0].version if asked else "") for outcome in ordered
+        ],
     )
 
 

@@ -2,7 +2,7 @@
 
 import time
 import traceback
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, closing
 from dataclasses import replace
 from functools import partial
@@ -104,6 +104,22 @@ def judge(case: "Case", solution: "Solution", seconds: float) -> Outcome:
     if status is Status.PASS:  # of another problem than that of the theory
         return Outcome(case.id, Status.BROKEN, "; ".join(changed))
     return Outcome(case.id, status, "; ".join(changed), judged)
+
+
+def judge_files(
+    case: "Case", files: Sequence["Path"], columns: Mapping[str, str], solver: str = ""
+) -> Outcome:
+    """What is to be said of a case by result files that a solver has written elsewhere; see `collect`."""
+    from vmharness.case import CaseError
+    from vmharness.collect import collect
+    from vmharness.deck import DeckError
+
+    began = time.perf_counter()
+    try:
+        solution = collect(case, files, columns)
+    except (CaseError, DeckError) as error:
+        return Outcome(case.id, Status.BROKEN, str(error))
+    return judge(case, replace(solution, solver=solver or solution.solver), time.perf_counter() - began)
 
 
 def _defect(case: "Case", error: str, trace: str) -> Outcome:

@@ -14,6 +14,7 @@ from vmharness.export import Case, Result, Run
 # Characters that XML 1.0 does not allow, even escaped.
 _ILLEGAL = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 FILE = "case.toml"
+KINDS = {"fail": "failure", "not reported": "skipped"}  # of verdicts; every other one is an error
 
 
 def render(run: Run) -> str:
@@ -40,7 +41,7 @@ def _suite(number: int, case: Case, run: Run) -> Element:
             "tests": str(len(tests)),
             "failures": str(sum(test.find("failure") is not None for test in tests)),
             "errors": str(sum(test.find("error") is not None for test in tests)),
-            "skipped": "0",
+            "skipped": str(sum(test.find("skipped") is not None for test in tests)),
             "time": f"{case.seconds or 0.0:.6f}",
             "timestamp": (case.started or run.started).removesuffix("Z"),  # the schema has no zone: it is UTC
             "hostname": run.machine.host,
@@ -82,7 +83,7 @@ def _tests(case: Case) -> list[Element]:
 def _test(case: Case, result: Result) -> Element:
     test, line = _named(case, result.key), _line(result)
     if result.verdict != "pass":
-        kind = "failure" if result.verdict == "fail" else "error"
+        kind = KINDS.get(result.verdict, "error")
         test.append(_reason(kind, result.verdict, f"{result.reason}; {line}" if result.reason else line))
     SubElement(test, "system-out").text = _legal(line)
     return test

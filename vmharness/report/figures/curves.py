@@ -37,7 +37,7 @@ def curves(run: CaseRun) -> list[list[Curve]]:
     history = run.solution.history
     if history is None or len(history) < 3:
         return []
-    all_ = [_curve(run, history, name) for name in run.case.file.curves]
+    all_ = [_curve(run, history, name) for name in run.case.file.curves if name in history]
     return [list(group) for _, group in groupby(all_, key=lambda curve: curve.unit)]
 
 
@@ -45,7 +45,8 @@ def _curve(run: CaseRun, history: History, name: str) -> Curve:
     line = as_line(run.case.file.curves[name])
     unit = _unit(run.case, name)
     factor = run.case.units.factor(Unit(unit))
-    time = np.linspace(history.time[0], history.time[-1], POINTS)
+    sampled = history.time_of(name)
+    time = np.linspace(sampled[0], sampled[-1], POINTS)
     computed, theory = history.at(name, time) / factor, run.case.curve(name, time) / factor
     size = float(np.abs(theory).max())
     allowed = _allowed(run, name, factor)
