@@ -1,21 +1,13 @@
 """`vm faults` and `vm explain`: what they say, what they leave for the page, their exit codes."""
 
 import json
+from pathlib import Path
 
 import pytest
 
 from vmharness.studies.faults import runs as faults
 
 FEW = ("G +1 %", "RHO +1 %", "half_step_start")
-
-
-def coarse(ball):
-    """VM-061 in steps of 0.1 ms, by its datum."""
-    folder = ball()
-    path = folder / "case.toml"
-    text = path.read_text()
-    assert "rho = { value = 7.3e-4" in text
-    path.write_text(text.replace("rho = { value = 7.3e-4", "rho = { value = 2.5437"))
 
 
 @pytest.fixture
@@ -27,7 +19,7 @@ def few(monkeypatch):
 
 def test_faults_are_scored_and_kept_for_the_page(ball, vm, here, few, monkeypatch):
     monkeypatch.setattr("vmharness.studies.gather.root", lambda: here / "cache")
-    coarse(ball)
+    ball()
     code, out, _ = vm("faults", "VM-061", "-j", "1", "--json", "all.json")
     assert code == 0
     assert "planted faults: 3 runs" in out
@@ -59,8 +51,23 @@ def test_a_case_that_fails_has_no_score(ball, vm, few):
     assert "faults.json" not in out
 
 
+def test_a_result_that_no_fault_changes_is_complained_of(ball, vm, few, monkeypatch):
+    monkeypatch.setattr(faults, "unmoved", lambda sound, outcomes: ["z_impact"])
+    ball()
+    code, _, err = vm("faults", "VM-061", "-j", "1")
+    assert code == 4
+    assert (
+        "VM-061: z_impact: no fault of deck or solver changes its value: this result cannot disagree" in err
+    )
+    assert vm("run", "VM-061")[0] == 0
+    assert (
+        "No fault of deck or solver changes the value of z_impact"
+        in Path("reports/VM-061/README.md").read_text()
+    )
+
+
 def test_a_difference_is_explained_and_kept_for_the_page(ball, vm, here):
-    coarse(ball)
+    ball()
     code, out, _ = vm("explain", "VM-061", "-j", "1")
     assert code == 0
     assert "rounding of the deck" in out
