@@ -1,4 +1,4 @@
-"""Energies of a model, their ratio, and the check of their balance: an instability makes energy out of nothing."""
+"""Energies of a model, and their ratio."""
 
 from collections.abc import Iterable
 
@@ -11,7 +11,6 @@ from vmharness.explicit.state import Array, State
 STORED = (
     "internal", "spring and damper", "hourglass", "contact", "friction", "released", "damping", "rigid wall",
 )  # fmt: skip
-LIMIT = 10.0  # times the energy supplied: a run with more has diverged
 
 
 def kinetic(state: State) -> float:
@@ -74,27 +73,3 @@ def ratio(total: float, initial: float, external_work: float) -> float:
     """
     supplied = initial + external_work
     return total / supplied if supplied != 0.0 else 1.0
-
-
-class Balance:
-    """Total energy, compared with the largest energy that initial state and external work have supplied so far."""
-
-    def __init__(self, state: State, kinetic: KineticEnergy, items: Iterable[Force | Constraint]) -> None:
-        items = list(items)
-        self.state, self.kinetic = state, kinetic
-        self.stored, self.work = stored(items), accounts(items, "external work")
-        self.initial = self.supplied = 0.0
-
-    def excess(self) -> str:
-        """What is wrong with the balance at t_n, if the total exceeds LIMIT times the energy supplied; else empty."""
-        # A negative account must not hide what is wrong with others: it counts as zero.
-        total = self.kinetic() + sum(max(account.item(), 0.0) for account in self.stored)
-        if self.state.cycle == 0:
-            self.initial = total
-        supplied = abs(self.initial + sum(account.item() for account in self.work))
-        self.supplied = max(self.supplied, supplied)
-        # A load that begins at t_n has moved the nodes by half a step, but has no work before the next cycle.
-        least = total - max(0.0, kinetic(self.state) - kinetic_before(self.state))
-        if total > LIMIT * self.supplied and not least <= LIMIT * self.supplied:
-            return f"the run has diverged: its energy is {total:.3g}, of which {self.supplied:.3g} was put in"
-        return ""

@@ -3,19 +3,18 @@
 import math
 from collections.abc import Iterator
 
-from vmharness.explicit.energy import Balance
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.kernels import integrate
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.state import State
 from vmharness.explicit.threads import ThreadPool
 from vmharness.explicit.timestep.stable_step import StableStep
+from vmharness.explicit.watch import Watch
 
 MOST_CYCLES = 1e11  # a step with which the run would take more cycles counts as vanished
-BALANCE_EVERY = 50  # cycles between two checks of the energy balance
 
 
-def steps(model: Model) -> Iterator[State]:
+def steps(model: Model, watch: Watch | None = None) -> Iterator[State]:
     """Yield the state at t_0, t_1, ... until the end time is reached.
 
         a_n       = M^-1 f(t_n, x_n, v_{n-1/2})
@@ -24,11 +23,11 @@ def steps(model: Model) -> Iterator[State]:
 
     The state is one object, updated in place. Its `x`, `a` and forces are at t_n, its `v` is v_{n-1/2};
     `energy.kinetic` and the probes bring the velocity to t_n. Raises SolverError where the step vanishes, the motion is
-    no longer finite, or the energy balance is lost.
+    no longer finite, or the energy balance is lost. `watch` knows at the end which energies cannot be.
     """
     s, shortest = model.state, 0.0
     stable = StableStep(model)
-    balance = Balance(s, model.kinetic, [*model.forces, *model.constraints])
+    watch = watch or Watch(model)
     threads = ThreadPool(model.forces, s, model.ncpu)
     accelerate = threads.over_nodes(integrate.accelerate)
     advance_velocity = threads.over_nodes(integrate.advance_velocity)
@@ -40,19 +39,20 @@ def steps(model: Model) -> Iterator[State]:
         size = accelerate(s.a, s.alpha, s.f, s.moment, model.inverse_mass, model.inverse_inertia)
         if not math.isfinite(size):
             what = "the motion is no longer finite: the run has diverged"
-            raise SolverError(s, what, f"{model.largest_acceleration()}; {stable.blame()}")
+            raise SolverError(s, what, f"{model.largest_acceleration()}; {watch.blame() or stable.blame()}")
         for constraint in model.constraints:
             constraint.accelerate(s)
 
         yield s
         ended = s.t >= model.end_time or s.cycle >= model.end_cycle
-        if (ended or s.cycle % BALANCE_EVERY == 0) and (excess := balance.excess()):
-            raise SolverError(s, excess, f"{model.largest_acceleration()}; {stable.blame()}")
+        if excess := watch.look(ended):
+            raise SolverError(s, excess, f"{model.largest_acceleration()}; {watch.blame() or stable.blame()}")
         if ended:
             return
 
         dt = stable.limited(model.next_step())
         check_step(model, dt, shortest)
+        watch.contacts.look(dt, stable.bound)
         shortest = shortest or model.dtmin * dt
         advance_velocity(s.v, s.omega, s.a, s.alpha, 0.5 * (s.dt + dt))
         for constraint in model.constraints:

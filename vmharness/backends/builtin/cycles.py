@@ -15,6 +15,7 @@ from vmharness.explicit.loop import steps
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.probes import Probe, ProbeError
 from vmharness.explicit.supported import notes
+from vmharness.explicit.watch import Watch
 from vmharness.history import History
 
 PROGRESS_EVERY = 1000  # cycles
@@ -27,30 +28,35 @@ def run(job: Job) -> Output:
         probes = {name: probe_of(model, channel) for name, channel in job.channels.items()}
     except ProbeError as error:
         return Output(None, str(error))
-    history, failure, seconds = record(model, probes, job.progress)
+    studied = {c.part for c in job.channels.values() if c.energy == "hourglass" and c.part is not None}
+    history, failure, seconds = record(model, probes, job.progress, Watch(model, studied))
     said = tuple(notes(model.idle, model.facts))
     return Output(history, failure, _facts(model, history), model.state.cycle, seconds, said)
 
 
 def record(
-    model: Model, probes: Mapping[str, Probe], progress: Callable[[float], None] | None = None
+    model: Model,
+    probes: Mapping[str, Probe],
+    progress: Callable[[float], None] | None = None,
+    watch: Watch | None = None,
 ) -> tuple[History, str, float]:
     """Step the model to its end and keep what the probes show at every t_n.
 
-    Returns the history so far, why it ended early if it did, and the seconds that the loop took.
+    Returns the history so far, why it ended early or cannot be judged, and the seconds that the loop took.
     """
     times = array("d")
     columns = {name: array("d") for name in probes}
     take = [(column.append, probes[name]) for name, column in columns.items()]
-    failure = ""
+    watch, failure = watch or Watch(model), ""
     began = time.perf_counter()
     try:
-        for state in steps(model):
+        for state in steps(model, watch):
             times.append(state.t)
             for append, value in take:
                 append(value())
             if progress is not None and state.cycle % PROGRESS_EVERY == 0:
                 progress(state.t / model.end_time)
+        failure = watch.impossible()
     except SolverError as error:
         failure = str(error)
     seconds = time.perf_counter() - began

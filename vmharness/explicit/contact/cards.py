@@ -40,6 +40,7 @@ def options_of(entry: Entry, control: Mapping[str, Any]) -> Options:
     if entry.dt <= entry.bt:
         raise entry.error("dt", f"the contact would end before its birth at {entry.bt:g}")
     return Options(
+        slsfac=control["slsfac"],
         soft=entry.soft,
         sofscl=entry.sofscl,
         fs=entry.fsf * entry.fs,

@@ -67,10 +67,12 @@ def cycle(
                 x, v, dt, step,
                 node, active, account,
             )  # fmt: skip
+    contacts = 0
     for t in range(nodes.size):
+        contacts += nodes[t]["count"]
         for k in range(nodes[t]["count"]):
             add_contact_force(mass, segments, parameters, x, v, a, dt, f, nodes[t], states[k, t], account)
-    parameters["first_cycle"] = False
+    parameters["first_cycle"], parameters["active"] = False, contacts
     return True
 
 

@@ -12,6 +12,7 @@ from vmharness.explicit.contact.records import Records
 class Options:
     """Options of one contact, by their names in the deck; consistent units."""
 
+    slsfac: float = 0.1  # of *CONTROL_CONTACT; the stiffness of nodes and segments includes it
     soft: Literal[0, 1] = 0
     sofscl: float = 0.1
     fs: float = 0.0  # static and kinetic friction, mu = FD + (FS - FD) exp(-DC |v|)
@@ -31,6 +32,7 @@ PARAMETERS = np.dtype(
         ("ignore", np.bool_),
         ("friction", np.bool_),
         ("first_cycle", np.bool_),  # no position at t_{n-1} is known yet
+        ("active", np.intp),  # number of active contacts
         ("longest_step", np.float64),  # so far
         ("travel", np.float64),  # bound of the relative motion of nodes and segments since the last sort
         ("margin", np.float64),  # relative motion for which the candidates of the last sort suffice

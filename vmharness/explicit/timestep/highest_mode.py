@@ -7,19 +7,19 @@ Where damping C lags half a step, the step dt is stable while M - dt/2 C - dt^2/
 The elements themselves give A z: they take one small step from the present geometry, without stress (see
 `Elements.linearised`). M has all mass and rotary inertia that moves. Degrees of freedom that a constraint rules are
 left out, and the nodes of a rigid body move with it. Joints and walls are left out; they can only lower theta. Contacts
-are left out too.
+are left out too, but where contact_steps.py gives them.
 
 The Lanczos method finds theta from below (B. N. Parlett, The Symmetric Eigenvalue Problem, chapter 13). It ends when
 the residual of its vector shows that an eigenvalue is near.
 """
 
-from collections.abc import Callable, Iterable
-from typing import NamedTuple
+from collections.abc import Callable, Iterable, Sequence
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
 from vmharness.explicit.constraint import Binding
-from vmharness.explicit.force import Elements, Force
+from vmharness.explicit.force import Force
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.state import Array, Index, State
 
@@ -28,6 +28,13 @@ SMALL = (
 )
 FEWEST, MOST = 12, 60  # iterations
 RESIDUAL = 0.01  # of theta
+
+
+class Linear(Protocol):
+    """What has linear forces in small motions."""
+
+    def linearised(self) -> Force:
+        """The forces of small motions alone."""
 
 
 class Mode(NamedTuple):
@@ -72,8 +79,11 @@ class Motions:
         return np.concatenate([self.scale * f.ravel()[self.free], *parts])
 
 
-def highest_mode(model: Model, dt: float, start: Array | None = None) -> Mode:
-    """The highest mode with the step `dt`; the iteration begins with the vector `start`, or with a random one."""
+def highest_mode(model: Model, dt: float, start: Array | None = None, others: Sequence[Linear] = ()) -> Mode:
+    """The highest mode with the step `dt`; the iteration begins with the vector `start`, or with a random one.
+
+    `others`, such as active contacts, act besides the elements.
+    """
     motions = Motions(model)
     random = np.random.default_rng(0).standard_normal(motions.size)
     if not motions.size:
@@ -89,14 +99,14 @@ def highest_mode(model: Model, dt: float, start: Array | None = None) -> Mode:
 
     def product(z: Array, dt: float = dt) -> Array:
         size, u = small(z)
-        return -0.25 * dt / size * motions.force(response(model, model.blocks, u, dt))
+        return -0.25 * dt / size * motions.force(response(model, [*model.blocks, *others], u, dt))
 
     theta, z = lanczos(product, random)
     longer = float(z @ product(z, 2.0 * dt))  # 4 a + 2 b, where theta = a + b has the parts of K and C
     return Mode(theta, 0.5 * longer - theta, z, small(z)[1])
 
 
-def response(model: Model, blocks: Iterable[Elements], u: Array, dt: float) -> Array:
+def response(model: Model, blocks: Iterable[Linear], u: Array, dt: float) -> Array:
     """-(K dt + 2 C) u (n, 6): half the difference of the forces and moments after small steps of velocity u and -u."""
     forward, back = (
         _forces(model, [block.linearised() for block in blocks], sign * u, dt) for sign in (1.0, -1.0)

@@ -6,6 +6,7 @@ import numpy as np
 
 from vmharness.deck import Deck
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
+from vmharness.explicit.balance import MADE
 from vmharness.explicit.contact.contact import Contact
 from vmharness.explicit.contact.stable_step import longest_step
 from vmharness.explicit.elements.discrete.part import Discrete
@@ -73,7 +74,8 @@ def report_contact_steps(deck: Deck, model: Model) -> None:
             longest = min(longest_step(one, model.state.mass, held) for one in contact.passes)
             if longest < step:
                 model.facts[f"Step of {contact.name}"] = (
-                    f"should not exceed {longest:.4g} for the stiffness of the contact; it may begin with {step:.4g}"
+                    f"should not exceed {MADE**0.5 * longest:.4g}, with which impacts keep their energy to "
+                    f"{100.0 * MADE:g} %; the contact is stable up to {longest:.4g}; the step may begin with {step:.4g}"
                 )
 
 

@@ -1,0 +1,111 @@
+"""The energy balance of a run: energies that cannot be make its results worthless.
+
+    E = K + sum of the energies that are stored or dissipated        S = E_0 + external work        E = S in theory
+
+A run has no result where one of these is found; the bounds refer to the largest |S| of the run, the energy put in:
+
+    during the run   E (without negative accounts) > 10 |S|     the run has diverged, and ends
+    at its end       |E - S| > 5 %                              energy is made or lost by the integration
+                     contact, friction, hourglass or damping energy < -5 %
+                                                                these resist or store: a negative one is energy from
+                                                                nothing, although the balance closes
+                     contact energy > 5 % in a contact without damper that has ended: it is lost
+                     hourglass energy > 10 %                    deformation that the elements do not resist by stress
+
+5 % of energy is 2.5 % of velocity, more than any tolerance of a verification should allow. 10 % of hourglass energy is
+what users of LS-DYNA accept; a run that is about the hourglass energy of a part is not bounded there.
+
+In a vibration of central differences K at t_n and the stored energy are out of step: E oscillates by (omega dt)^2/4.
+E - S therefore counts where it has one sign in LOOKS looks, in successive cycles: no shorter than half a period of any
+vibration that makes it larger than 5 %.
+"""
+
+from collections import deque
+from collections.abc import Collection
+from dataclasses import dataclass
+
+from vmharness.explicit.constraint import Constraint
+from vmharness.explicit.energy import accounts, kinetic, kinetic_before, stored
+from vmharness.explicit.force import Elements, Force
+from vmharness.explicit.model.model import Model
+from vmharness.explicit.state import Array
+
+DIVERGED = 10.0  # times the energy supplied: a run with more has diverged
+MADE = 0.05  # of the energy put in: more than this is not made or lost by round-off and the step
+HOURGLASS = 0.1  # of the energy put in
+LOOKS = 8  # (2 pi / 14)^2 / 4 = 5 %: the oscillation is larger only where the period is below 14 steps
+RESISTING = ("contact", "friction", "hourglass", "damping")  # energies that cannot be negative
+
+
+@dataclass
+class Resisting:
+    """The account (1,) of an energy that cannot be negative, with its least value so far."""
+
+    owner: str
+    kind: str
+    account: Array
+    least: float = 0.0
+
+
+class Balance:
+    """The energies of a run, watched over time."""
+
+    def __init__(self, model: Model, studied: Collection[int] = ()) -> None:
+        """`studied`: parts whose hourglass energy is not bounded."""
+        items: list[Force | Constraint] = [*model.forces, *model.constraints]
+        self.model, self.state = model, model.state
+        self.stored, self.work = stored(items), accounts(items, "external work")
+        bounded = [item for item in items if not (isinstance(item, Elements) and item.pid in studied)]
+        self.hourglass = accounts(bounded, "hourglass")
+        self.resisting = [
+            Resisting(item.name, kind, item.energy[kind])
+            for item in items
+            for kind in RESISTING
+            if kind in item.energy
+        ]
+        self.initial = self.supplied = self.made = self.lost = self.most_hourglass = 0.0
+        self.errors = deque[float](maxlen=LOOKS)  # E - S of the last looks
+
+    def excess(self) -> str:
+        """What is wrong with the balance at t_n, if the run has diverged; else empty."""
+        now = [account.item() for account in self.stored]
+        total = self.model.kinetic() + sum(now)
+        if self.state.cycle == 0:
+            self.initial = total
+        supplied = self.initial + sum(account.item() for account in self.work)
+        self.supplied = max(self.supplied, abs(supplied))
+        self.errors.append(total - supplied)
+        if len(self.errors) == LOOKS:
+            self.made, self.lost = max(self.made, min(self.errors)), max(self.lost, -max(self.errors))
+        self.most_hourglass = max(self.most_hourglass, sum(account.item() for account in self.hourglass))
+        for one in self.resisting:
+            one.least = min(one.least, one.account.item())
+        # A negative account must not hide what is wrong with others: it counts as zero.
+        total -= sum(min(value, 0.0) for value in now)
+        # A load that begins at t_n has moved the nodes by half a step, but has no work before the next cycle.
+        early = max(0.0, kinetic(self.state) - kinetic_before(self.state))
+        if total > DIVERGED * self.supplied and not total - early <= DIVERGED * self.supplied:
+            return f"the run has diverged: its energy is {total:.3g}, of which {self.supplied:.3g} was put in"
+        return ""
+
+    def impossible(self) -> tuple[str, str] | None:
+        """Kind of an energy of the run that cannot be, or "balance", and what is wrong with it; None if all can be."""
+        bound = MADE * self.supplied
+        for one in self.resisting:
+            if one.least < -bound:
+                what = f"the {one.kind} energy of {one.owner} has fallen to {one.least:.3g}"
+                return one.kind, self.said(what, -MADE)
+        if max(self.made, self.lost) > bound:
+            what = f"{self.made:.3g} was made" if self.made > self.lost else f"{self.lost:.3g} was lost"
+            return "balance", self.said(f"the energy balance is open: {what}", MADE)
+        if self.most_hourglass > HOURGLASS * self.supplied:
+            what = f"the hourglass energy has come to {self.most_hourglass:.3g}"
+            return "hourglass", self.said(what, HOURGLASS)
+        return None
+
+    def said(self, what: str, bound: float) -> str:
+        """A sentence on an energy that cannot be, with its bound as a fraction of the energy put in."""
+        return (
+            f"the run cannot be judged: {what}, where {self.supplied:.3g} was put in, and the bound is "
+            f"{100.0 * bound:g} % of it"
+        )
