@@ -11,6 +11,7 @@ class Verdict(StrEnum):
     PASS = "pass"
     FAIL = "fail"  # out of tolerance
     ERROR = "error"  # could not be judged
+    UNREPRESENTABLE = "not representable"  # the solver cannot pose the problem: neither a pass nor a failure
     UNREPORTED = "not reported"  # the results do not hold the quantity: neither a pass nor a failure
 
 
@@ -92,7 +93,7 @@ def worst(verdicts: list[Verdict]) -> Verdict:
     >>> worst([Verdict.PASS, Verdict.UNREPORTED]), worst([Verdict.UNREPORTED])
     (<Verdict.PASS: 'pass'>, <Verdict.ERROR: 'error'>)
     """
-    for verdict in (Verdict.ERROR, Verdict.FAIL, Verdict.PASS):
+    for verdict in (Verdict.ERROR, Verdict.FAIL, Verdict.PASS, Verdict.UNREPRESENTABLE):
         if verdict in verdicts:
             return verdict
     return Verdict.ERROR

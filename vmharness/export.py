@@ -24,7 +24,7 @@ Verdict = Annotated[
     str,
     Meta(
         description="pass, fail (out of tolerance), error (could not be judged), "
-        "not reported (the results do not hold the quantity). More may follow: "
+        "not reported (the results do not hold the quantity), not representable (by the solver). More may follow: "
         "a reader takes one that it does not know as not judged."
     ),
 ]

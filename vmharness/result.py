@@ -88,6 +88,7 @@ class Solution:
     solver: str  # name and version
     history: History | None
     failure: str = ""  # why the run ended before its end, or did not begin
+    unrepresentable: str = ""  # why the solver cannot pose the problem, which is no failure of it
     lost: bool = False  # the solver is missing, or its program failed: that says nothing of the deck
     facts: Mapping[str, str] = field(default_factory=dict)  # for the provenance: time step, cycles, ...
     cycles: int = 0
@@ -146,8 +147,8 @@ class CaseRun:
     @property
     def reason(self) -> str:
         """Why the case did not pass: the first thing to look at."""
-        if self.solution.failure:
-            return self.solution.failure
+        if self.solution.failure or self.solution.unrepresentable:
+            return self.solution.failure or self.solution.unrepresentable
         wrong = [row for row in self.rows if row.verdict is self.verdict and row.comparison.reason]
         if not wrong and self.verdict is Verdict.ERROR:
             wrong = [row for row in self.rows if row.comparison.reason]

@@ -59,7 +59,9 @@ def _row(case: Case, result: Result, solution: Solution, event: Event | str) -> 
         for name in (watched(case.file.events[result.event]), result.channel)
         if name in solution.unreported
     ]
-    if absent:
+    if solution.unrepresentable:
+        comparison = _unjudged(target, tolerance, Verdict.UNREPRESENTABLE, solution.unrepresentable)
+    elif absent:
         why = f"{absent[0]} {solution.unreported[absent[0]]}"
         comparison = _unjudged(target, tolerance, Verdict.UNREPORTED, why)
     elif isinstance(event, str) or solution.history is None:

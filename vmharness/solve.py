@@ -38,12 +38,17 @@ def solve(
         return Solution(solver, None, str(error))
     except SubprocessError as error:
         return Solution(solver, None, str(error), lost=True)
+    if output.unrepresentable:
+        return Solution(
+            solver, None, unrepresentable=output.unrepresentable, files=deck.files, view=drawable(deck)
+        )
     if output.history is None:
         return Solution(solver, None, output.failure or "the solver gave no history")
     return Solution(
         solver=solver,
         history=output.history,
         failure=output.failure,
+        unreported=output.unreported,
         facts=output.facts,
         cycles=output.cycles,
         seconds=time.perf_counter() - began,

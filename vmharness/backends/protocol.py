@@ -47,12 +47,14 @@ class Job:
 class Output:
     """The outcome of a job."""
 
-    history: History | None  # every channel, at the instants at which the solver writes
+    history: History | None  # every channel that it gives, at the instants at which the solver writes
     failure: str = ""  # why the run ended before its end, or did not begin
     facts: Mapping[str, str] = field(default_factory=dict)  # time step, precision, interval, ...
     cycles: int = 0
     seconds: float = 0.0  # that the time loop took, where that is known
     notes: tuple[str, ...] = ()  # what of the deck cannot change results
+    unrepresentable: str = ""  # why the solver cannot pose the problem of the deck, which is no failure of it
+    unreported: Mapping[str, str] = field(default_factory=dict)  # channels that it does not give, and why
 
 
 class Backend(Protocol):

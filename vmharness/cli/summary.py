@@ -107,7 +107,7 @@ def _explain(outcome: Outcome, again: Mapping[str, str], debug: bool) -> None:
 
 def _not_passed(run: "CaseRun | None") -> "list[Row]":
     """The results that a finished run does not pass; none where it could not be judged."""
-    if run is None or run.solution.failure:
+    if run is None or run.solution.failure or run.solution.unrepresentable:
         return []
     return [row for row in run.rows if row.verdict is not Verdict.PASS]
 

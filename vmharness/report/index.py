@@ -10,7 +10,7 @@ from vmharness.report.solver import short_name
 from vmharness.result import CaseRun, Row, Unrun
 from vmharness.round_off import ordered
 
-ORDER = {Verdict.ERROR: 0, Verdict.FAIL: 1, Verdict.PASS: 2}
+ORDER = {Verdict.ERROR: 0, Verdict.FAIL: 1, Verdict.PASS: 2, Verdict.UNREPRESENTABLE: 3}
 
 
 @dataclass(frozen=True)

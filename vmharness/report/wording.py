@@ -12,7 +12,13 @@ from vmharness.round_off import ROUND_OFF, rounded
 from vmharness.studies.sensitivity import DIGITS, PLACES, Sensitivity, smallest_seen
 
 VISIBLE = 200  # a tolerance of so many times round-off, of which that is half a percent
-SIGNS = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.ERROR: "!", Verdict.UNREPORTED: "–"}
+SIGNS = {
+    Verdict.PASS: "✓",
+    Verdict.FAIL: "✗",
+    Verdict.ERROR: "!",
+    Verdict.UNREPORTED: "–",
+    Verdict.UNREPRESENTABLE: "–",
+}
 
 
 def sign(verdict: Verdict) -> str:

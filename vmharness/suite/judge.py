@@ -22,7 +22,12 @@ if TYPE_CHECKING:
     from vmharness.case import Case
     from vmharness.result import Solution
 
-VERDICTS = {"pass": Status.PASS, "fail": Status.FAIL, "error": Status.UNJUDGED}
+VERDICTS = {
+    "pass": Status.PASS,
+    "fail": Status.FAIL,
+    "error": Status.UNJUDGED,
+    "not representable": Status.UNREPRESENTABLE,
+}
 
 
 def solving(solver: str) -> Work:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import TYPE_CHECKING
 
+from vmharness.compare import Verdict
 from vmharness.round_off import ordered
 
 if TYPE_CHECKING:
@@ -20,6 +21,7 @@ class Status(StrEnum):
     UNWRITTEN = "not written"  # of a file, never of a case
     UNJUDGED = "error"  # the solver is missing, crashed, or ran out of time
     FAIL = "fail"
+    UNREPRESENTABLE = "not representable"  # the solver cannot pose the problem
     PASS = "pass"
 
 
@@ -29,6 +31,7 @@ EXIT_CODES = {
     Status.BROKEN: 4,
     Status.UNWRITTEN: 4,
     Status.UNJUDGED: 6,
+    Status.UNREPRESENTABLE: 6,
     Status.FAIL: 1,
     Status.PASS: 0,
 }
@@ -60,7 +63,8 @@ class Outcome:
     @property
     def share(self) -> float | None:
         """The largest share of its tolerance that a result uses; None without one."""
-        shares = [row.comparison.share for row in self.run.rows] if self.run else []
+        rows = self.run.rows if self.run else ()
+        shares = [row.comparison.share for row in rows if row.verdict is not Verdict.UNREPORTED]
         known = [share for share in shares if share is not None]
         return max(known) if known and len(known) == len(shares) else None
 
@@ -68,12 +72,17 @@ class Outcome:
 def exit_code(statuses: Iterable[Status]) -> int:
     """0 all pass; 1 out of tolerance; 2 interrupted; 3 defect; 4 case error; 5 nothing selected; 6 not judged.
 
-    Of several the first of 2, 3, 4, 6, 1 is given.
+    Of several the first of 2, 3, 4, 6, 1 is given. A case that the solver cannot represent counts only where there is
+    no other: nothing was judged.
 
     >>> exit_code([Status.PASS, Status.FAIL, Status.UNJUDGED])
     6
+    >>> exit_code([Status.PASS, Status.UNREPRESENTABLE]), exit_code([Status.UNREPRESENTABLE])
+    (0, 6)
     """
     found = set(statuses)
+    if len(found) > 1:
+        found.discard(Status.UNREPRESENTABLE)
     return next((EXIT_CODES[status] for status in Status if status in found), NOTHING_SELECTED)
 
 
