@@ -31,17 +31,19 @@ def judge(*arguments):
 
 def test_a_csv_file_with_all_digits_passes_as_the_run_does(solved, tmp_path, capsys):
     case, history = solved("VM-061")
+    history = history.samples(slice(None, None, 5))
     history.to_csv(tmp_path / "ball.csv")
     code, verdicts, judged = judge("VM-061", "ball.csv")
     assert code == 0
     assert set(verdicts.values()) == {"pass"}
     direct = run.judge(case, Solution("x", history))
     assert [result["value"] for result in judged["results"]] == [row.comparison.value for row in direct.rows]
-    assert "Read from ball.csv: every 1.69404e-06, 17 digits: z, v, contact_force" in capsys.readouterr().out
+    assert "Read from ball.csv: every 8.47021e-06, 17 digits: z, v, contact_force" in capsys.readouterr().out
 
 
 def test_columns_of_other_names_are_mapped(solved, tmp_path, capsys):
     _, history = solved("VM-061")
+    history = history.samples(slice(None, None, 5))
     renamed = type(history)(history.time, {"Z of the ball": history["z"], "force": history["contact_force"]})
     renamed.to_csv(tmp_path / "ball.csv")
     named = ["--column", "z=Z of the ball", "--column", "contact_force=force"]
@@ -207,12 +209,12 @@ def test_channels_at_other_instants_are_measured_at_their_own(solved, lsdyna, tm
 
 def test_events_behind_the_end_of_the_files_cannot_be_judged(solved, tmp_path, capsys):
     _, history = solved("VM-061")
-    history.samples(history.time < 0.08).to_csv(tmp_path / "ball.csv")
+    history.samples(slice(None, 47000, 5)).to_csv(tmp_path / "ball.csv")
     code, verdicts, _ = judge("VM-061", "ball.csv")
     assert code == 6
     assert {key for key, verdict in verdicts.items() if verdict == "pass"} == IMPACT
     assert verdicts["z_peak"] == "error"
-    assert "ball.csv ends at t = 0.0799" in capsys.readouterr().out
+    assert "ball.csv ends at t = 0.0796" in capsys.readouterr().out
 
 
 def test_a_damaged_file_is_named_with_its_line(solved, tmp_path, capsys):
@@ -247,7 +249,7 @@ def test_a_folder_with_a_folder_for_each_case_is_judged_whole(written, tmp_path,
             "VM-061: no such folder; name a case and its files, or a folder of folders",
         ),
         (["VM-0615", "hello"], 4, "no case VM-0615; did you mean VM-061"),
-        (["VM-061", "hello"], 6, "hello: not a result file that is known; there are: CSV, binout, bndout"),
+        (["VM-061", "hello"], 6, "hello: not a result file that is known; there are: binout, bndout, CSV"),
         (["."], 5, "no sub-folder of . has the id of a case"),
         (["VM-061", "hello", "--column", "z"], 4, "z= is not of the form CHANNEL=COLUMN"),
     ],
