@@ -50,7 +50,7 @@ def draw(view: View, case: str, acceleration: str) -> str:
         name_bodies(view, frame, labels)
         number_nodes(view, frame, labels)
         draw_directions(axes)
-        draw_key(axes, view, key, top=height - 10.0)
+        draw_key(axes, key, top=height - 10.0)
         return svg.text(figure, "The model as read from the deck, in isometric view")
 
 

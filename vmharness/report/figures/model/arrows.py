@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from vmharness.mesh.view import View
 from vmharness.report.figures.model.frame import ISOMETRIC, Frame
 from vmharness.report.figures.model.labels import Labels
-from vmharness.report.figures.model.style import INK, LOAD, MANY, MASS, MOVE, QUIET
+from vmharness.report.figures.model.style import INITIAL, INK, LOAD, MANY, MASS, MOVE, QUIET
 from vmharness.report.figures.note import MIDDLE, note
 from vmharness.round_off import ROUND_OFF
 
@@ -24,7 +24,6 @@ HEAD = 6.0  # points, of an arrow
 CORNER = (46.0, 16.0)  # of the directions of x, y and z
 
 
-INITIAL = ("initial velocity", "initial spin")
 ASIDE = 8.0  # points from a line of nodes to the arrows of their velocity
 
 
@@ -46,7 +45,7 @@ def arrows(view: View) -> Iterator[Arrow]:
         stride = max(1, -(-len(places) // MANY))
         for at, direction in zip(places[::stride], directions[::stride], strict=True):
             if what in INITIAL:
-                yield _initial(view, at, ISOMETRIC @ direction, 1 + (what == INITIAL[1]))
+                yield _initial(view, at, ISOMETRIC @ direction, INITIAL[what])
             else:
                 yield _acting(view, what, at, ISOMETRIC @ direction, stride > 1)
 
@@ -82,10 +81,7 @@ def draw_arrows(axes: "Axes", found: list[Arrow], frame: Frame, labels: Labels) 
     for arrow in found:
         tail, head = frame.at(arrow.at) + arrow.tail, frame.at(arrow.at) + arrow.head
         labels.avoid_line(np.array([tail, head]))
-        draw_arrow(axes, tail, head, arrow.colour, arrow.width)
-        if arrow.heads > 1:
-            back = HEAD * (head - tail) / np.linalg.norm(head - tail)
-            draw_arrow(axes, tail, head - back, arrow.colour, arrow.width)
+        draw_arrow(axes, tail, head, arrow.colour, arrow.width, arrow.heads)
 
 
 def draw_directions(axes: "Axes") -> None:
@@ -97,7 +93,12 @@ def draw_directions(axes: "Axes") -> None:
         note(axes, name, beside, ha="center", style="italic", color=INK)
 
 
-def draw_arrow(axes: "Axes", start: Array, end: Array, colour: str, width: float) -> None:
+def draw_arrow(
+    axes: "Axes", start: Array, end: Array, colour: str, width: float = 1.6, heads: int = 1
+) -> None:
     """An arrow between two places on the canvas."""
     shape = {"arrowstyle": "-|>", "color": colour, "linewidth": width, "shrinkA": 0, "shrinkB": 0}
-    axes.annotate("", tuple(end), tuple(start), arrowprops={**shape, "mutation_scale": 12}, zorder=6.5)
+    back = HEAD * (end - start) / np.linalg.norm(end - start)
+    for number in range(heads):
+        tip = end - number * back
+        axes.annotate("", tuple(tip), tuple(start), arrowprops={**shape, "mutation_scale": 12}, zorder=6.5)
