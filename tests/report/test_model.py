@@ -13,6 +13,8 @@ from matplotlib.textpath import TextPath
 
 from vmharness.case import read
 from vmharness.case.deck import read_deck
+from vmharness.deck import read as read_text
+from vmharness.deck import vocabulary
 from vmharness.mesh.view import view_of
 from vmharness.report.figures import model
 from vmharness.report.figures.model.entries import entries, right_edge
@@ -112,10 +114,31 @@ def test_the_patch_of_a_wall_lies_in_its_plane_before_the_nodes():
     assert corners[:, 1].min() < 0.0 < corners[:, 1].max()
 
 
-def test_a_model_of_one_node_can_be_drawn(tmp_path):
-    from vmharness.deck import read as read_text
-    from vmharness.deck import vocabulary
+MASS = "*KEYWORD\n*NODE\n7,1.0,2.0,3.0\n*ELEMENT_MASS\n1,7,2.0\n"
+GROUNDED = """*ELEMENT_DISCRETE
+3,1,7,0,4
+*DEFINE_SD_ORIENTATION
+4,0,0.0,0.0,1.0
+*PART
+spring
+1,1,1
+"""
 
-    (tmp_path / "deck.k").write_text("*KEYWORD\n*NODE\n7,1.0,2.0,3.0\n*ELEMENT_MASS\n1,7,2.0\n")
-    drawn = model.draw(view_of(read_text(tmp_path / "deck.k", vocabulary())), "one", "m/s2")
-    assert ">7</text>" in drawn
+
+def picture(tmp_path, text):
+    (tmp_path / "deck.k").write_text(text)
+    return model.draw(view_of(read_text(tmp_path / "deck.k", vocabulary())), "one", "m/s2")
+
+
+def test_a_model_of_one_node_can_be_drawn(tmp_path):
+    assert ">7</text>" in picture(tmp_path, MASS)
+
+
+def test_a_spring_to_the_ground_stands_on_a_support(tmp_path):
+    drawn = ElementTree.fromstring(picture(tmp_path, MASS + GROUNDED))
+    assert "1 spring" in {text.text for text in drawn.iter(f"{SVG}text")}
+    used = [(float(use.get("x")), float(use.get("y"))) for use in drawn.iter(f"{SVG}use")]
+    (x,) = {x for x, _ in used if x > 0.3 * WIDTH}  # of the node, and of the ground below it
+    node, ground = sorted({y for at, y in used if at == x})
+    assert ground - node == pytest.approx(46.0, abs=0.02)
+    assert ground < HEIGHT

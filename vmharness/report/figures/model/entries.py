@@ -41,8 +41,8 @@ def entries(view: View, acceleration: str) -> list[Entry]:
     """The entries of the key, from the top."""
     tracked = sum(nodes.size for nodes, _ in view.contacts)
     segments = sum(segments.shape[0] for _, segments in view.contacts)
-    dampers = int(view.dampers.sum())
-    springs = len(view.discrete) - dampers
+    dampers = int(view.discrete.damper.sum())
+    springs = len(view.discrete.nodes) - dampers
     centres = sum(body.centre is not None and not body.fixed for body in view.bodies)
     found = [
         (view.masses.size, _counted(view.masses.size, "mass element"), MASS),
