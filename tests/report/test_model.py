@@ -142,3 +142,57 @@ def test_a_spring_to_the_ground_stands_on_a_support(tmp_path):
     node, ground = sorted({y for at, y in used if at == x})
     assert ground - node == pytest.approx(46.0, abs=0.02)
     assert ground < HEIGHT
+
+
+HOSTILE = """*KEYWORD
+*NODE
+1,0.0,0.0,0.0
+2,1.0,0.0,0.0
+3,1.0,1.0,0.0
+4,0.0,1.0,0.0
+*SET_NODE_LIST
+9
+1,2
+*ELEMENT_SHELL
+1,1,1,2,3,4
+*PART
+$NAME
+1,1,1
+*SECTION_SHELL
+1,2
+1.0
+*MAT_RIGID
+1,1.0,1.0,0.3
+0
+0.0
+*RIGIDWALL_PLANAR_ID
+1,NAME
+9
+0.0,0.0,0.0,-1.0,-1.0,1.0
+*INITIAL_VELOCITY
+0
+-1.0,-1.0,1.0
+*DEFINE_CURVE
+1
+0.0,9.81
+1.0,9.81
+*LOAD_BODY_X
+1
+*LOAD_BODY_Y
+1
+*LOAD_BODY_Z
+1,-1.0
+"""
+
+
+@pytest.mark.parametrize(
+    "name", ["a $x_1$ {", "$\\nosuch$", "a\x1b[2Jb", "<b>&amp;", "球体", "n" * 70, "word " * 14]
+)
+def test_a_name_is_shown_as_it_is_and_what_points_at_the_eye_is_drawn(tmp_path, name):
+    text = picture(tmp_path, HOSTILE.replace("$NAME", f" {name}").replace("NAME", name))
+    drawn = ElementTree.fromstring(text)
+    shown = " ".join(element.text for element in drawn.iter(f"{SVG}text"))
+    assert name.replace("\x1b", "\ufffd")[:8].strip() in shown
+    assert "nan" not in text
+    for element in drawn.iter(f"{SVG}text"):
+        assert float(element.get("x")) < WIDTH

@@ -22,8 +22,6 @@ Array = NDArray[np.float64]
 LENGTH, SHORT = 26.0, 17.0  # points
 HEAD = 6.0  # points, of an arrow
 CORNER = (46.0, 16.0)  # of the directions of x, y and z
-
-
 ASIDE = 8.0  # points from a line of nodes to the arrows of their velocity
 
 
@@ -53,7 +51,7 @@ def arrows(view: View) -> Iterator[Arrow]:
 def _acting(view: View, what: str, at: Array, along: Array, many: bool) -> Arrow:
     """The arrow of a load or motion: away from the model, or toward it where it acts inward."""
     flat = view.x[view.rows] @ ISOMETRIC.T
-    clear = _clear(view, at) * along / np.linalg.norm(along)
+    clear = _clear(view, at) * unit(along)
     far = clear + (SHORT if many else LENGTH) * along
     inward = along @ (flat.mean(axis=0) - ISOMETRIC @ at) > ROUND_OFF * float(np.ptp(flat, axis=0).max())
     tail, head = (-far, -clear) if what == "pressure" or inward else (clear, far)
@@ -62,10 +60,9 @@ def _acting(view: View, what: str, at: Array, along: Array, many: bool) -> Arrow
 
 def _initial(view: View, at: Array, along: Array, heads: int) -> Arrow:
     """The arrow of an initial velocity; in a model of many nodes beside its node, for it may lie along a bar."""
-    unit = along / np.linalg.norm(along)
-    clear = _clear(view, at)
+    clear, (across, up) = _clear(view, at), unit(along)
     beside = view.rows.size > MANY and not clear
-    start = ASIDE * np.array([-unit[1], unit[0]]) if beside else clear * unit
+    start = ASIDE * np.array([-up, across]) if beside else clear * np.array([across, up])
     return Arrow(at, start, start + LENGTH * along, MOVE, heads=heads)
 
 
@@ -96,9 +93,17 @@ def draw_directions(axes: "Axes") -> None:
 def draw_arrow(
     axes: "Axes", start: Array, end: Array, colour: str, width: float = 1.6, heads: int = 1
 ) -> None:
-    """An arrow between two places on the canvas."""
+    """An arrow between two places on the canvas; a ring for one along the line of sight."""
+    if np.hypot(*(end - start)) < HEAD:
+        axes.plot(*end, marker="o", markersize=HEAD, mfc="none", mec=colour, mew=width, zorder=6.5)
+        return
     shape = {"arrowstyle": "-|>", "color": colour, "linewidth": width, "shrinkA": 0, "shrinkB": 0}
-    back = HEAD * (end - start) / np.linalg.norm(end - start)
     for number in range(heads):
-        tip = end - number * back
+        tip = end - number * HEAD * unit(end - start)
         axes.annotate("", tuple(tip), tuple(start), arrowprops={**shape, "mutation_scale": 12}, zorder=6.5)
+
+
+def unit(vector: Array) -> Array:
+    """The vector (2,) with a length of one; zero for one along the line of sight, which has none in the picture."""
+    length = float(np.hypot(*vector))
+    return np.asarray(vector / length if length > ROUND_OFF else np.zeros(2))

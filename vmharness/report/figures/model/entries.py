@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vmharness.mesh.view import View
-from vmharness.report.figures.characters import unit
+from vmharness.report.figures.characters import unit as raised
 from vmharness.report.figures.key import SAMPLE, Entry, sample
-from vmharness.report.figures.model.arrows import CORNER, draw_arrow
+from vmharness.report.figures.model.arrows import CORNER, draw_arrow, unit
 from vmharness.report.figures.model.frame import ISOMETRIC
 from vmharness.report.figures.model.style import (
     BEAM,
@@ -90,8 +90,8 @@ def draw_key(axes: "Axes", found: list[Entry], top: float) -> None:
         lines = label.count("\n") + 1
         middle = y - 0.5 * LINE * lines
         if "arrow" in style:
-            along = ISOMETRIC @ np.array(style["along"])
-            half = 0.5 * SAMPLE * along / np.linalg.norm(along)
+            along = np.array(style["along"])
+            half = 0.5 * SAMPLE * unit(ISOMETRIC @ along / np.linalg.norm(along))
             at = np.array([LEFT + 0.5 * SAMPLE, middle])
             draw_arrow(axes, at - half, at + half, **style["arrow"])
             style = {"linestyle": "none"}
@@ -102,7 +102,7 @@ def draw_key(axes: "Axes", found: list[Entry], top: float) -> None:
 def _body_load(view: View, acceleration: str) -> str:
     """The body load, a line for each of its components."""
     pulls = [
-        f"{axis}: {value:+.6g} {unit(acceleration)}".replace("-", "−")
+        f"{axis}: {value:+.6g} {raised(acceleration)}".replace("-", "−")
         for axis, value in zip("xyz", view.gravity, strict=True)
         if value
     ]

@@ -27,6 +27,7 @@ ON_MARK, ON_LINE, FARTHER = (
     4.0,
     1.5,
 )  # what is bad about a place: a mark, a sample of a line, a point of gap
+LONGEST = 32  # letters
 CLEAR = 1.5  # points about a label
 
 
@@ -55,6 +56,7 @@ class Labels:
 
     def place(self, text: str, places: Array, radius: float, **style: Any) -> None:
         """Write a label beside a mark at one of `places` (n, 2); where there is no room for it, it is left out."""
+        text = text if len(text) <= LONGEST else f"{text[: LONGEST - 1].rstrip()}…"
         points = np.concatenate([np.zeros((0, 2)), *self.samples])
         wide = width(text, SIZE, bold="weight" in style)
         best: tuple[float, Box, Array] | None = None

@@ -1,11 +1,13 @@
 """Springs and dampers between two nodes, side by side where they join the same two."""
 
+from collections import Counter
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.mesh.view import View
+from vmharness.report.figures.model.arrows import unit
 from vmharness.report.figures.model.frame import ISOMETRIC, Frame
 from vmharness.report.figures.model.labels import Labels
 from vmharness.report.figures.model.style import DISCRETE, SUPPORT
@@ -25,14 +27,15 @@ TEETH = 8
 def draw_discrete(axes: "Axes", view: View, frame: Frame, labels: Labels) -> None:
     """A zigzag for each spring, and a piston in a pot for each damper; the ground is a support."""
     pairs = [tuple(sorted(pair)) for pair in view.discrete.nodes.tolist()]
+    count, seen = Counter(pairs), Counter[tuple[int, ...]]()
     for number, (first, second) in enumerate(view.discrete.nodes):
         start = frame.at(view.x[first])
         end = frame.at(view.x[second]) if second >= 0 else start + to_ground(view.discrete.direction[number])
         length = float(np.hypot(*(end - start)))
         if length == 0.0:
             continue
-        place, among = pairs[:number].count(pairs[number]), pairs.count(pairs[number])
-        aside = APART * (place - 0.5 * (among - 1))
+        aside = APART * (seen[pairs[number]] - 0.5 * (count[pairs[number]] - 1))
+        seen[pairs[number]] += 1
         along = (end - start) / length
         turn = np.array([along, [-along[1], along[0]]])
         for line in _damper(length, aside) if view.discrete.damper[number] else _spring(length, aside):
@@ -45,9 +48,8 @@ def draw_discrete(axes: "Axes", view: View, frame: Frame, labels: Labels) -> Non
 
 def to_ground(direction: Array) -> Array:
     """The way (2,) from a node to the ground in points, against the direction of a spring; downward without one."""
-    along = -ISOMETRIC @ direction
-    length = float(np.linalg.norm(along))
-    return np.asarray(GROUND * along / length if length else np.array([0.0, -GROUND]))
+    along = unit(-ISOMETRIC @ direction)
+    return np.asarray(GROUND * (along if along.any() else np.array([0.0, -1.0])))
 
 
 def _spring(length: float, aside: float) -> list[list[tuple[float, float]]]:
