@@ -193,7 +193,7 @@ def moving(tmp_path, cards):
 
 
 def test_a_damper_is_told_from_a_spring(tmp_path):
-    assert moving(tmp_path, "").dampers.tolist() == [False, True]
+    assert moving(tmp_path, "").discrete.damper.tolist() == [False, True]
 
 
 def test_initial_velocities_of_a_rotation_are_across_the_arm(tmp_path):
@@ -213,3 +213,10 @@ def test_a_body_moves_as_its_own_card_says(tmp_path):
     assert places == pytest.approx(np.array([[2.0 / 3.0, 1.0, 0.0]]))
     assert directions.tolist() == [[0.0, 0.0, -1.0]]
     assert arrows["initial spin"][1].tolist() == [[0.0, 1.0, 0.0]]
+
+
+def test_a_spring_to_the_ground_acts_along_its_orientation(tmp_path):
+    ground = "*ELEMENT_DISCRETE\n3,1,3,0,4\n*DEFINE_SD_ORIENTATION\n4,0,0.0,-2.0,0.0\n"
+    springs = moving(tmp_path, ground).discrete
+    assert springs.nodes[2].tolist() == [2, -1]
+    assert springs.direction[2].tolist() == [0.0, -1.0, 0.0]

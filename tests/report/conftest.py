@@ -11,6 +11,7 @@ from vmharness.compare import Tolerance, compare
 from vmharness.events import Event
 from vmharness.formula import Unit
 from vmharness.history import History
+from vmharness.mesh.discrete import NONE
 from vmharness.mesh.view import View
 from vmharness.result import CaseRun, Published, Reading, Row, Solution
 
@@ -55,7 +56,7 @@ def view():
         shells=corners[None, :],
         solids=np.zeros((0, 8), np.intp),
         beams=np.zeros((0, 2), np.intp),
-        discrete=np.zeros((0, 2), np.intp),
+        discrete=NONE,
         masses=np.array([4]),
         supports=corners,
         gravity=np.array([0.0, 0.0, -386.0]),

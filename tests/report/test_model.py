@@ -13,6 +13,8 @@ from matplotlib.textpath import TextPath
 
 from vmharness.case import read
 from vmharness.case.deck import read_deck
+from vmharness.deck import read as read_text
+from vmharness.deck import vocabulary
 from vmharness.mesh.view import view_of
 from vmharness.report.figures import model
 from vmharness.report.figures.model.entries import entries, right_edge
@@ -112,10 +114,85 @@ def test_the_patch_of_a_wall_lies_in_its_plane_before_the_nodes():
     assert corners[:, 1].min() < 0.0 < corners[:, 1].max()
 
 
-def test_a_model_of_one_node_can_be_drawn(tmp_path):
-    from vmharness.deck import read as read_text
-    from vmharness.deck import vocabulary
+MASS = "*KEYWORD\n*NODE\n7,1.0,2.0,3.0\n*ELEMENT_MASS\n1,7,2.0\n"
+GROUNDED = """*ELEMENT_DISCRETE
+3,1,7,0,4
+*DEFINE_SD_ORIENTATION
+4,0,0.0,0.0,1.0
+*PART
+spring
+1,1,1
+"""
 
-    (tmp_path / "deck.k").write_text("*KEYWORD\n*NODE\n7,1.0,2.0,3.0\n*ELEMENT_MASS\n1,7,2.0\n")
-    drawn = model.draw(view_of(read_text(tmp_path / "deck.k", vocabulary())), "one", "m/s2")
-    assert ">7</text>" in drawn
+
+def picture(tmp_path, text):
+    (tmp_path / "deck.k").write_text(text)
+    return model.draw(view_of(read_text(tmp_path / "deck.k", vocabulary())), "one", "m/s2")
+
+
+def test_a_model_of_one_node_can_be_drawn(tmp_path):
+    assert ">7</text>" in picture(tmp_path, MASS)
+
+
+def test_a_spring_to_the_ground_stands_on_a_support(tmp_path):
+    drawn = ElementTree.fromstring(picture(tmp_path, MASS + GROUNDED))
+    assert "1 spring" in {text.text for text in drawn.iter(f"{SVG}text")}
+    used = [(float(use.get("x")), float(use.get("y"))) for use in drawn.iter(f"{SVG}use")]
+    (x,) = {x for x, _ in used if x > 0.3 * WIDTH}  # of the node, and of the ground below it
+    node, ground = sorted({y for at, y in used if at == x})
+    assert ground - node == pytest.approx(46.0, abs=0.02)
+    assert ground < HEIGHT
+
+
+HOSTILE = """*KEYWORD
+*NODE
+1,0.0,0.0,0.0
+2,1.0,0.0,0.0
+3,1.0,1.0,0.0
+4,0.0,1.0,0.0
+*SET_NODE_LIST
+9
+1,2
+*ELEMENT_SHELL
+1,1,1,2,3,4
+*PART
+$NAME
+1,1,1
+*SECTION_SHELL
+1,2
+1.0
+*MAT_RIGID
+1,1.0,1.0,0.3
+0
+0.0
+*RIGIDWALL_PLANAR_ID
+1,NAME
+9
+0.0,0.0,0.0,-1.0,-1.0,1.0
+*INITIAL_VELOCITY
+0
+-1.0,-1.0,1.0
+*DEFINE_CURVE
+1
+0.0,9.81
+1.0,9.81
+*LOAD_BODY_X
+1
+*LOAD_BODY_Y
+1
+*LOAD_BODY_Z
+1,-1.0
+"""
+
+
+@pytest.mark.parametrize(
+    "name", ["a $x_1$ {", "$\\nosuch$", "a\x1b[2Jb", "<b>&amp;", "球体", "n" * 70, "word " * 14]
+)
+def test_a_name_is_shown_as_it_is_and_what_points_at_the_eye_is_drawn(tmp_path, name):
+    text = picture(tmp_path, HOSTILE.replace("$NAME", f" {name}").replace("NAME", name))
+    drawn = ElementTree.fromstring(text)
+    shown = " ".join(element.text for element in drawn.iter(f"{SVG}text"))
+    assert name.replace("\x1b", "\ufffd")[:8].strip() in shown
+    assert "nan" not in text
+    for element in drawn.iter(f"{SVG}text"):
+        assert float(element.get("x")) < WIDTH

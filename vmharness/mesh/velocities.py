@@ -13,7 +13,7 @@ from vmharness.mesh.nodes import Array, Index, Nodes
 from vmharness.mesh.sets import node_set, nodes_of_parts, part_set
 
 PART_SET, NODE_SET = 1, 3  # STYP
-SEVERAL = 3  # arrows for nodes of one velocity
+FEW, SEVERAL = 16, 3  # nodes of one velocity: few have an arrow each, more have several together
 
 
 def velocities(deck: Deck, nodes: Nodes, bodies: Iterable[Body]) -> dict[str, Arrows]:
@@ -40,7 +40,7 @@ def _chosen(v: Array) -> Iterator[int]:
     values, group = np.unique(v, axis=0, return_inverse=True)
     for number in np.flatnonzero(values.any(axis=1)):
         rows = np.flatnonzero(group.ravel() == number)
-        count = min(SEVERAL, rows.size)
+        count = rows.size if rows.size <= FEW else SEVERAL
         yield from rows[np.linspace(0, rows.size - 1, count).round().astype(int)].tolist()
 
 

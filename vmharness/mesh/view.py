@@ -12,12 +12,11 @@ from vmharness.deck.keywords.constrained.joint import (
     CONSTRAINED_JOINT_SPHERICAL,
 )
 from vmharness.deck.keywords.element.beam import ELEMENT_BEAM, ELEMENT_BEAM_ORIENTATION
-from vmharness.deck.keywords.element.discrete import ELEMENT_DISCRETE
 from vmharness.deck.keywords.element.mass import ELEMENT_MASS
 from vmharness.deck.keywords.element.solid import ELEMENT_SOLID
-from vmharness.deck.keywords.part import PART
 from vmharness.mesh.bodies import Body, bodies, rigid_parts
-from vmharness.mesh.elements import by_part, elements, shells
+from vmharness.mesh.discrete import Discrete, discrete
+from vmharness.mesh.elements import elements, shells
 from vmharness.mesh.loads import Arrows, arrows, gravity
 from vmharness.mesh.nodes import Array, Index, Nodes, nodes_of
 from vmharness.mesh.supports import supported
@@ -46,7 +45,7 @@ class View:
     shells: Index  # (ne, 4) deformable, as the solids and beams
     solids: Index  # (ne, 8)
     beams: Index  # (ne, 2) beams and trusses
-    discrete: Index  # (ne, 2) springs and dampers between nodes
+    discrete: Discrete
     masses: Index  # rows with an *ELEMENT_MASS
     supports: Index  # rows with a fixed degree of freedom
     gravity: Array  # (3,) acceleration that body loads give at t = 0
@@ -55,9 +54,6 @@ class View:
     bodies: tuple[Body, ...] = ()
     joints: tuple[Joint, ...] = ()
     walls: tuple[Wall, ...] = ()
-    dampers: NDArray[np.bool_] = field(
-        default_factory=lambda: np.zeros(0, bool)
-    )  # (ne,) which of `discrete` are
     orienting: frozenset[int] = frozenset()  # rows of nodes that only turn cross-sections
 
     @property
@@ -70,8 +66,7 @@ def view_of(deck: Deck) -> View:
     """The view of a deck; raises DeckError if it refers to something that it does not define."""
     nodes = nodes_of(deck)
     masses = [nodes.find(table, "nid", table.nid) for table in deck.all(ELEMENT_MASS)]
-    discrete = by_part(elements(deck, nodes, 2, ELEMENT_DISCRETE))
-    discrete = discrete.only(discrete.nodes[:, 1] >= 0)  # without those to the ground
+    springs = discrete(deck, nodes)
     every = (
         shells(deck, nodes),
         elements(deck, nodes, 8, ELEMENT_SOLID),
@@ -80,15 +75,14 @@ def view_of(deck: Deck) -> View:
     rigid, found = rigid_parts(deck), tuple(bodies(deck, nodes, *every))
     shell, solid, beam = (each.only(np.isin(each.pid, list(rigid), invert=True)).nodes for each in every)
     fixed = [body.nodes for body in found if body.fixed]
-    used = (*(each.nodes for each in every), discrete.nodes, *masses, *(body.nodes for body in found))
+    used = (*(each.nodes for each in every), springs.nodes, *masses, *(body.nodes for body in found))
     return View(
         ids=nodes.ids,
         x=nodes.x0,
         shells=shell,
         solids=solid,
         beams=beam,
-        discrete=discrete.nodes,
-        dampers=np.isin(discrete.pid, list(_dampers(deck))),
+        discrete=springs,
         masses=np.concatenate([np.zeros(0, np.intp), *masses]),
         supports=np.unique(np.concatenate([np.flatnonzero(supported(deck, nodes).any(axis=1)), *fixed])),
         gravity=gravity(deck),
@@ -107,12 +101,6 @@ def drawable(deck: Deck) -> View | None:
         return view_of(deck)
     except DeckError:
         return None
-
-
-def _dampers(deck: Deck) -> set[int]:
-    """Numbers of the parts whose material is a damper."""
-    mids = {entry.mid for entry in deck.entries if entry.keyword.name.startswith("MAT_DAMPER")}
-    return {part.pid for part in deck.all(PART) if part.mid in mids}
 
 
 def _orienting(deck: Deck, nodes: Nodes) -> set[int]:

@@ -48,10 +48,8 @@ def key(
         sample(axes, label, style, start[0] + number * step[0], start[1] + number * step[1])
 
 
-def sample(
-    axes: "Axes", label: str, style: dict[str, Any], x: float, y: float, colour: str = "#1b2733"
-) -> None:
+def sample(axes: "Axes", label: str, style: dict[str, Any], x: float, y: float) -> None:
     """Draw an entry at x, y: its line and mark, and beside them its label."""
     axes.plot([x, x + SAMPLE / 2, x + SAMPLE], [y, y, y], markevery=[1], **style)
     lines = label.count("\n")
-    note(axes, label, (x + SAMPLE + 8, y), (0, 9 * MIDDLE - 5.85 * lines), color=colour)
+    note(axes, label, (x + SAMPLE + 8, y), (0, 9 * MIDDLE - 5.85 * lines), color="#1b2733")

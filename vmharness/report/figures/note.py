@@ -2,6 +2,8 @@
 
 from typing import TYPE_CHECKING, Any
 
+from vmharness.report.escape import printable
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
@@ -24,7 +26,16 @@ def note(
     size: float = 9.0,
     **style: Any,
 ) -> None:
-    """Write lines of text, the last of them with its baseline at `at` plus `offset` (points)."""
-    for number, line in enumerate(reversed(text.split("\n"))):
+    """Write lines of text as they stand, the last of them with its baseline at `at` plus `offset` (points)."""
+    for number, line in enumerate(reversed(printable(text).split("\n"))):
         place = (offset[0], offset[1] + number * SPACING * size)
-        axes.annotate(line, at, place, textcoords="offset points", va="baseline", fontsize=size, **style)
+        axes.annotate(
+            line,
+            at,
+            place,
+            textcoords="offset points",
+            va="baseline",
+            fontsize=size,
+            parse_math=False,
+            **style,
+        )

@@ -4,7 +4,6 @@ All is placed in points: `frame.py` finds the scale at which the model fills the
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vmharness.mesh.view import View
 from vmharness.report.figures import svg
@@ -16,7 +15,7 @@ from vmharness.report.figures.model.frame import Box, Frame, fit
 from vmharness.report.figures.model.labels import Labels
 from vmharness.report.figures.model.lines import draw_beams, draw_contacts
 from vmharness.report.figures.model.marks import draw_marks, number_nodes
-from vmharness.report.figures.model.springs import draw_discrete
+from vmharness.report.figures.model.springs import draw_discrete, to_ground
 from vmharness.report.figures.model.walls import draw_walls, patch
 
 SIZE = (6.6, 3.6)  # inches
@@ -50,22 +49,25 @@ def draw(view: View, case: str, acceleration: str) -> str:
         name_bodies(view, frame, labels)
         number_nodes(view, frame, labels)
         draw_directions(axes)
-        draw_key(axes, view, key, top=height - 10.0)
+        draw_key(axes, key, top=height - 10.0)
         return svg.text(figure, "The model as read from the deck, in isometric view")
 
 
 def _frame(view: View, acting: list[Arrow], room: Box) -> Frame:
-    """The scale at which nodes with their marks, centres of mass, walls and arrows fill the room."""
+    """The scale at which nodes with their marks, centres of mass, walls, springs and arrows fill the room."""
     centres = [body.centre for body in view.bodies if body.centre is not None and not body.fixed]
-    marked = np.array([*view.x[view.rows], *centres])
-    places = [marked, *(patch(view, wall) for wall in view.walls), *(arrow.at[None] for arrow in acting)]
-    ends = [np.array([arrow.tail, arrow.head]) for arrow in acting]
-    walls = [np.full((4, 2), BORDER) for _ in view.walls]
-    reach = np.tile(REACH, (len(marked), 1))
-    low: list[NDArray[np.float64]] = [
-        -reach,
-        *(-wall for wall in walls),
-        *(end.min(axis=0)[None] for end in ends),
+    marks = np.array([[-REACH[0], -REACH[1]], REACH])
+    grounded = view.discrete.nodes[:, 1] < 0
+    places = [
+        *((x, marks) for x in (*view.x[view.rows], *centres)),
+        *((corner, BORDER * np.sign(marks)) for wall in view.walls for corner in patch(view, wall)),
+        *((arrow.at, np.array([arrow.tail, arrow.head])) for arrow in acting),
+        *(
+            (view.x[first], to_ground(direction) + marks)
+            for (first, _), direction in zip(
+                view.discrete.nodes[grounded], view.discrete.direction[grounded], strict=True
+            )
+        ),
     ]
-    high = [reach, *walls, *(end.max(axis=0)[None] for end in ends)]
-    return fit(np.concatenate(places), np.concatenate(low), np.concatenate(high), room)
+    x, ends = (np.array([place[k] for place in places]) for k in (0, 1))
+    return fit(x, ends.min(axis=1), ends.max(axis=1), room)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from vmharness.mesh.view import View
 from vmharness.report.figures.model.frame import ISOMETRIC, Frame
 from vmharness.report.figures.model.labels import Labels
-from vmharness.report.figures.model.style import INK, LOAD, MANY, MASS, MOVE, QUIET
+from vmharness.report.figures.model.style import INITIAL, INK, LOAD, MANY, MASS, MOVE, QUIET
 from vmharness.report.figures.note import MIDDLE, note
 from vmharness.round_off import ROUND_OFF
 
@@ -22,9 +22,6 @@ Array = NDArray[np.float64]
 LENGTH, SHORT = 26.0, 17.0  # points
 HEAD = 6.0  # points, of an arrow
 CORNER = (46.0, 16.0)  # of the directions of x, y and z
-
-
-INITIAL = ("initial velocity", "initial spin")
 ASIDE = 8.0  # points from a line of nodes to the arrows of their velocity
 
 
@@ -46,7 +43,7 @@ def arrows(view: View) -> Iterator[Arrow]:
         stride = max(1, -(-len(places) // MANY))
         for at, direction in zip(places[::stride], directions[::stride], strict=True):
             if what in INITIAL:
-                yield _initial(view, at, ISOMETRIC @ direction, 1 + (what == INITIAL[1]))
+                yield _initial(view, at, ISOMETRIC @ direction, INITIAL[what])
             else:
                 yield _acting(view, what, at, ISOMETRIC @ direction, stride > 1)
 
@@ -54,7 +51,7 @@ def arrows(view: View) -> Iterator[Arrow]:
 def _acting(view: View, what: str, at: Array, along: Array, many: bool) -> Arrow:
     """The arrow of a load or motion: away from the model, or toward it where it acts inward."""
     flat = view.x[view.rows] @ ISOMETRIC.T
-    clear = _clear(view, at) * along / np.linalg.norm(along)
+    clear = _clear(view, at) * unit(along)
     far = clear + (SHORT if many else LENGTH) * along
     inward = along @ (flat.mean(axis=0) - ISOMETRIC @ at) > ROUND_OFF * float(np.ptp(flat, axis=0).max())
     tail, head = (-far, -clear) if what == "pressure" or inward else (clear, far)
@@ -63,10 +60,9 @@ def _acting(view: View, what: str, at: Array, along: Array, many: bool) -> Arrow
 
 def _initial(view: View, at: Array, along: Array, heads: int) -> Arrow:
     """The arrow of an initial velocity; in a model of many nodes beside its node, for it may lie along a bar."""
-    unit = along / np.linalg.norm(along)
-    clear = _clear(view, at)
+    clear, (across, up) = _clear(view, at), unit(along)
     beside = view.rows.size > MANY and not clear
-    start = ASIDE * np.array([-unit[1], unit[0]]) if beside else clear * unit
+    start = ASIDE * np.array([-up, across]) if beside else clear * np.array([across, up])
     return Arrow(at, start, start + LENGTH * along, MOVE, heads=heads)
 
 
@@ -82,10 +78,7 @@ def draw_arrows(axes: "Axes", found: list[Arrow], frame: Frame, labels: Labels) 
     for arrow in found:
         tail, head = frame.at(arrow.at) + arrow.tail, frame.at(arrow.at) + arrow.head
         labels.avoid_line(np.array([tail, head]))
-        draw_arrow(axes, tail, head, arrow.colour, arrow.width)
-        if arrow.heads > 1:
-            back = HEAD * (head - tail) / np.linalg.norm(head - tail)
-            draw_arrow(axes, tail, head - back, arrow.colour, arrow.width)
+        draw_arrow(axes, tail, head, arrow.colour, arrow.width, arrow.heads)
 
 
 def draw_directions(axes: "Axes") -> None:
@@ -97,7 +90,20 @@ def draw_directions(axes: "Axes") -> None:
         note(axes, name, beside, ha="center", style="italic", color=INK)
 
 
-def draw_arrow(axes: "Axes", start: Array, end: Array, colour: str, width: float) -> None:
-    """An arrow between two places on the canvas."""
+def draw_arrow(
+    axes: "Axes", start: Array, end: Array, colour: str, width: float = 1.6, heads: int = 1
+) -> None:
+    """An arrow between two places on the canvas; a ring for one along the line of sight."""
+    if np.hypot(*(end - start)) < HEAD:
+        axes.plot(*end, marker="o", markersize=HEAD, mfc="none", mec=colour, mew=width, zorder=6.5)
+        return
     shape = {"arrowstyle": "-|>", "color": colour, "linewidth": width, "shrinkA": 0, "shrinkB": 0}
-    axes.annotate("", tuple(end), tuple(start), arrowprops={**shape, "mutation_scale": 12}, zorder=6.5)
+    for number in range(heads):
+        tip = end - number * HEAD * unit(end - start)
+        axes.annotate("", tuple(tip), tuple(start), arrowprops={**shape, "mutation_scale": 12}, zorder=6.5)
+
+
+def unit(vector: Array) -> Array:
+    """The vector (2,) with a length of one; zero for one along the line of sight, which has none in the picture."""
+    length = float(np.hypot(*vector))
+    return np.asarray(vector / length if length > ROUND_OFF else np.zeros(2))

@@ -95,7 +95,7 @@ def draw_joints(axes: "Axes", view: View, frame: Frame, labels: Labels) -> None:
     for joint in view.joints:
         at = frame.at(view.x[joint.node])
         if joint.axis is not None:
-            along = SHORT * (ISOMETRIC @ joint.axis) / np.linalg.norm(joint.axis)
+            along = SHORT * ISOMETRIC @ joint.axis / (np.linalg.norm(joint.axis) or 1.0)
             line = np.array([at - along, at + along])
             axes.plot(*line.T, color=INK, linewidth=1.0, linestyle=(0, (6, 2, 1, 2)), zorder=5.8)
             labels.avoid_line(line)

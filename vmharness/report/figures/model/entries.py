@@ -1,26 +1,26 @@
 """The key of the picture: each kind of entity, how many of it there are, and the body load."""
 
 import textwrap
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vmharness.mesh.view import View
-from vmharness.report.figures.characters import unit
+from vmharness.report.figures.characters import unit as raised
 from vmharness.report.figures.key import SAMPLE, Entry, sample
-from vmharness.report.figures.model.arrows import CORNER, INITIAL, draw_arrow
+from vmharness.report.figures.model.arrows import CORNER, draw_arrow, unit
 from vmharness.report.figures.model.frame import ISOMETRIC
 from vmharness.report.figures.model.style import (
-    ARROW,
     BEAM,
     BODY,
     CENTRE,
     CONTACT,
     DAMPER,
+    INITIAL,
     JOINT,
     LOAD,
     MASS,
-    MOVING,
+    MOVE,
     PLANE,
     SEGMENT,
     SHELL,
@@ -41,8 +41,8 @@ def entries(view: View, acceleration: str) -> list[Entry]:
     """The entries of the key, from the top."""
     tracked = sum(nodes.size for nodes, _ in view.contacts)
     segments = sum(segments.shape[0] for _, segments in view.contacts)
-    dampers = int(view.dampers.sum())
-    springs = len(view.discrete) - dampers
+    dampers = int(view.discrete.damper.sum())
+    springs = len(view.discrete.nodes) - dampers
     centres = sum(body.centre is not None and not body.fixed for body in view.bodies)
     found = [
         (view.masses.size, _counted(view.masses.size, "mass element"), MASS),
@@ -62,12 +62,12 @@ def entries(view: View, acceleration: str) -> list[Entry]:
             CONTACT | SEGMENT,
         ),
         *(
-            (len(at), f"{what} at {_counted(len(at), 'place')}", ARROW)
+            (len(at), f"{what} at {_counted(len(at), 'place')}", _arrow(LOAD))
             for what, (at, _) in view.arrows.items()
             if what not in INITIAL
         ),
-        *((1, what, MOVING) for what in INITIAL if what in view.arrows),
-        (np.any(view.gravity), _body_load(view, acceleration), {}),
+        *((1, what, _arrow(MOVE, heads)) for what, heads in INITIAL.items() if what in view.arrows),
+        (np.any(view.gravity), _body_load(view, acceleration), _arrow(LOAD, along=tuple(view.gravity))),
     ]
     return [(_wrapped(label), style) for count, label, style in found if count]
 
@@ -78,26 +78,31 @@ def right_edge(found: list[Entry]) -> float:
     return max(2.0 * CORNER[0], LEFT + SAMPLE + 8.0 + max((width(line) for line in lines), default=0.0)) + GAP
 
 
-def draw_key(axes: "Axes", view: View, found: list[Entry], top: float) -> None:
-    """Write the entries from `top` downward; the body load has an arrow in its direction."""
+def _arrow(colour: str, heads: int = 1, along: tuple[float, ...] = (1.0, -1.0, 0.0)) -> dict[str, Any]:
+    """An arrow of the key in the direction `along` in space: by default to the right."""
+    return {"arrow": {"colour": colour, "heads": heads}, "along": along}
+
+
+def draw_key(axes: "Axes", found: list[Entry], top: float) -> None:
+    """Write the entries from `top` downward."""
     y = top
     for label, style in found:
         lines = label.count("\n") + 1
         middle = y - 0.5 * LINE * lines
-        if style:
-            sample(axes, label, style, LEFT, middle)
-        else:
-            sample(axes, label, {"linestyle": "none"}, LEFT, middle, colour=LOAD)
-            along = ISOMETRIC @ view.gravity / np.linalg.norm(view.gravity)
+        if "arrow" in style:
+            along = np.array(style["along"])
+            half = 0.5 * SAMPLE * unit(ISOMETRIC @ along / np.linalg.norm(along))
             at = np.array([LEFT + 0.5 * SAMPLE, middle])
-            draw_arrow(axes, at - 11.0 * along, at + 11.0 * along, LOAD, 1.6)
+            draw_arrow(axes, at - half, at + half, **style["arrow"])
+            style = {"linestyle": "none"}
+        sample(axes, label, style, LEFT, middle)
         y -= LINE * lines + BETWEEN
 
 
 def _body_load(view: View, acceleration: str) -> str:
     """The body load, a line for each of its components."""
     pulls = [
-        f"{axis}: {value:+.6g} {unit(acceleration)}".replace("-", "−")
+        f"{axis}: {value:+.6g} {raised(acceleration)}".replace("-", "−")
         for axis, value in zip("xyz", view.gravity, strict=True)
         if value
     ]

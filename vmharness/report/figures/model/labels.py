@@ -19,7 +19,7 @@ SIZE = 9.0  # of the letters
 ABOVE, BELOW = 0.76, 0.24  # of a line of text: height over the baseline and depth, in sizes of the letters
 SPACING = 4.0  # points between the samples of a line
 GAPS = (3.0, 7.0, 12.0, 18.0, 28.0, 40.0, 56.0)  # points from a mark to its label, the nearest first
-LED = 12.0  # a label farther than this has a line to its mark
+LED = 8.0  # a label farther than this has a line to its mark
 # Where a label may stand about its mark: right, left, above, below, then between them.
 SIDES = ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (1, -1), (-1, 1), (-1, -1))
 ON_MARK, ON_LINE, FARTHER = (
@@ -27,6 +27,7 @@ ON_MARK, ON_LINE, FARTHER = (
     4.0,
     1.5,
 )  # what is bad about a place: a mark, a sample of a line, a point of gap
+LONGEST = 32  # letters
 CLEAR = 1.5  # points about a label
 
 
@@ -55,6 +56,7 @@ class Labels:
 
     def place(self, text: str, places: Array, radius: float, **style: Any) -> None:
         """Write a label beside a mark at one of `places` (n, 2); where there is no room for it, it is left out."""
+        text = text if len(text) <= LONGEST else f"{text[: LONGEST - 1].rstrip()}…"
         points = np.concatenate([np.zeros((0, 2)), *self.samples])
         wide = width(text, SIZE, bold="weight" in style)
         best: tuple[float, Box, Array] | None = None

@@ -1,14 +1,16 @@
 """Springs and dampers between two nodes, side by side where they join the same two."""
 
+from collections import Counter
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from vmharness.mesh.view import View
-from vmharness.report.figures.model.frame import Frame
+from vmharness.report.figures.model.arrows import unit
+from vmharness.report.figures.model.frame import ISOMETRIC, Frame
 from vmharness.report.figures.model.labels import Labels
-from vmharness.report.figures.model.style import DISCRETE
+from vmharness.report.figures.model.style import DISCRETE, SUPPORT
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -16,28 +18,38 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 COIL, DASHPOT, HALF = 54.0, 20.0, 5.0  # points: length of a coil and of a dashpot, and half their width
+GROUND = 46.0  # points from a node to the ground
 SHARE = 0.4  # of the distance of the nodes: at most so much of it is coil or dashpot
 APART = 17.0  # points between the axes of elements that join the same nodes
 TEETH = 8
 
 
 def draw_discrete(axes: "Axes", view: View, frame: Frame, labels: Labels) -> None:
-    """A zigzag for each spring, and a piston in a pot for each damper."""
-    at = frame.at(view.x[view.discrete])
-    pairs = [tuple(sorted(pair)) for pair in view.discrete.tolist()]
-    for number, (start, end) in enumerate(at):
+    """A zigzag for each spring, and a piston in a pot for each damper; the ground is a support."""
+    pairs = [tuple(sorted(pair)) for pair in view.discrete.nodes.tolist()]
+    count, seen = Counter(pairs), Counter[tuple[int, ...]]()
+    for number, (first, second) in enumerate(view.discrete.nodes):
+        start = frame.at(view.x[first])
+        end = frame.at(view.x[second]) if second >= 0 else start + to_ground(view.discrete.direction[number])
         length = float(np.hypot(*(end - start)))
         if length == 0.0:
             continue
-        place, among = pairs[:number].count(pairs[number]), pairs.count(pairs[number])
-        aside = APART * (place - 0.5 * (among - 1))
-        lines = _damper(length, aside) if view.dampers[number : number + 1].any() else _spring(length, aside)
+        aside = APART * (seen[pairs[number]] - 0.5 * (count[pairs[number]] - 1))
+        seen[pairs[number]] += 1
         along = (end - start) / length
         turn = np.array([along, [-along[1], along[0]]])
-        for line in lines:
+        for line in _damper(length, aside) if view.discrete.damper[number] else _spring(length, aside):
             drawn = start + np.array(line) @ turn
             axes.plot(*drawn.T, zorder=2, **DISCRETE)
             labels.avoid_line(drawn)
+        if second < 0:
+            axes.plot(*end, zorder=4, **SUPPORT)
+
+
+def to_ground(direction: Array) -> Array:
+    """The way (2,) from a node to the ground in points, against the direction of a spring; downward without one."""
+    along = unit(-ISOMETRIC @ direction)
+    return np.asarray(GROUND * (along if along.any() else np.array([0.0, -1.0])))
 
 
 def _spring(length: float, aside: float) -> list[list[tuple[float, float]]]:

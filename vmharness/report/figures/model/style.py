@@ -47,8 +47,7 @@ SPRING: dict[str, Any] = DISCRETE | {
     "mec": INK,
 }
 DAMPER: dict[str, Any] = DISCRETE | {"marker": "s", "markersize": 7, "mfc": "white", "mec": INK, "mew": 1.2}
-ARROW: dict[str, Any] = {"color": LOAD, "linewidth": 1.6}
-MOVING: dict[str, Any] = {"color": MOVE, "linewidth": 1.6}
+INITIAL = {"initial velocity": 1, "initial spin": 2}  # heads of arrows
 CONTACT: dict[str, Any] = {"color": TOUCH, "linewidth": 1.2, "linestyle": (0, (4, 3))}
 SEGMENT: dict[str, Any] = {"marker": "s", "markersize": 10, "mfc": "#e6d9ec", "mec": "none"}  # under the line
 TOUCHING: dict[str, Any] = {**NO_LINE, "marker": "o", "markersize": 3.4, "color": TOUCH}

@@ -25,7 +25,8 @@ def patch(view: View, wall: Wall) -> Array:
     if wall.edges is not None:
         first, second = wall.edges
         return wall.at + np.array([np.zeros(3), first, first + second, second])
-    x = view.x[np.intersect1d(wall.nodes, view.rows)]
+    rows = np.intersect1d(wall.nodes, view.rows)
+    x = view.x[rows if rows.size else view.rows]
     middle = 0.5 * (x.min(axis=0) + x.max(axis=0))
     foot = middle - ((middle - wall.at) @ wall.normal) * wall.normal
     size = float(np.ptp(np.array([*view.x[view.rows], foot]), axis=0).max()) or 1.0
