@@ -50,8 +50,10 @@ def write_index(runs: list[CaseRun], folder: Path, unrun: Sequence[Unrun] = ()) 
     from vmharness.report.sections import faults
 
     studied = {run.case.id: summaries(run.case, folder / run.case.id) for run in runs}
-    content = index(runs, unrun, studied, faults.manual([run.case for run in runs], folder))
-    texts = {folder / form.FILE: form.index(content) for form in plugins.modules(PAGES)}
+    forms = plugins.modules(PAGES)
+    pages = [case.id for case in unrun if all((folder / case.id / form.FILE).is_file() for form in forms)]
+    content = index(runs, unrun, studied, faults.manual([run.case for run in runs], folder), pages)
+    texts = {folder / form.FILE: form.index(content) for form in forms}
     return [atomic.write(path, text) for path, text in texts.items()]
 
 

@@ -1,9 +1,21 @@
 """Typeset lines of theory and data, in LaTeX and in MathML."""
 
+from dataclasses import dataclass
+
 from vmharness.formula import Formula, Unit, equation, pieces
 from vmharness.report.number import given, short
 from vmharness.report.page import Datum, Page, TheoryLine
 from vmharness.report.width import ems
+
+LONG = 40.0  # em: more does not fit beside the words of the line
+
+
+@dataclass(frozen=True)
+class Pieces:
+    """The <math> elements of a line, each with its width in em for the style of the page."""
+
+    pieces: list[str]
+    is_long: bool  # whether one of them needs the whole width of the page
 
 
 def theory(line: TheoryLine, page: Page) -> str:
@@ -13,15 +25,16 @@ def theory(line: TheoryLine, page: Page) -> str:
     return equation(line.name, line.formula, short(line.value), line.unit, values=_values(page))
 
 
-def theory_pieces(line: TheoryLine, page: Page) -> list[str]:
-    """The same as MathML, in pieces between which a page may break the line, each with its width in em."""
+def theory_pieces(line: TheoryLine, page: Page) -> Pieces:
+    """The same as MathML, in pieces between which a page may break the line."""
     if line.value is None:
         parts = pieces(line.name, line.formula)
     else:
         parts = pieces(line.name, line.formula, short(line.value), line.unit, values=_values(page))
-    return [
-        part.replace(' display="block"', f' displaystyle="true" style="--ems: {ems(part)}"') for part in parts
-    ]
+    widths = [ems(part) for part in parts]
+    sized = [f' displaystyle="true" style="--ems: {width}"' for width in widths]
+    inline = [part.replace(' display="block"', size) for part, size in zip(parts, sized, strict=True)]
+    return Pieces(inline, max(widths) > LONG)
 
 
 def _values(page: Page) -> dict[str, str]:

@@ -1,6 +1,6 @@
 """Content of the index: all cases of a run, failures first."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from vmharness.compare import Verdict
@@ -34,6 +34,7 @@ class Index:
     coverage: Mapping[str, list[CaseRun]]  # by tag
     counts: Mapping[Verdict, int]  # a case without a run is an error
     detection: Section | None = None  # what all cases together notice of planted faults
+    pages: Collection[str] = ()  # of the cases without a run, those that have a page
 
 
 def index(
@@ -41,6 +42,7 @@ def index(
     unrun: Sequence[Unrun],
     studies: Mapping[str, Sequence[str]],
     detection: Section | None = None,
+    pages: Collection[str] = (),
 ) -> Index:
     """The index of `runs` and of cases without a run, which come first; `studies` are findings by case."""
     solvers: dict[str, list[Line]] = {}
@@ -57,9 +59,8 @@ def index(
             coverage.setdefault(tag, []).append(run)
     counts = {verdict: sum(run.verdict is verdict for run in runs) for verdict in Verdict}
     counts[Verdict.ERROR] += len(unrun)
-    return Index(
-        sorted(unrun, key=lambda case: case.id), solvers, dict(sorted(coverage.items())), counts, detection
-    )
+    unrun = sorted(unrun, key=lambda case: case.id)
+    return Index(unrun, solvers, dict(sorted(coverage.items())), counts, detection, pages)
 
 
 def _worst_first(runs: Sequence[CaseRun]) -> list[CaseRun]:
