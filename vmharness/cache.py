@@ -5,8 +5,11 @@ from pathlib import Path
 
 
 def root() -> Path:
-    """$VMHARNESS_CACHE, or `vmharness` in the user's cache folder."""
+    """$VMHARNESS_CACHE, or `vmharness` in the user's cache folder; without a home a path that cannot be written."""
     if chosen := os.environ.get("VMHARNESS_CACHE"):
         return Path(chosen)
-    home = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA") or str(Path.home() / ".cache")
+    try:
+        home = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA") or Path.home() / ".cache"
+    except RuntimeError:
+        home = os.devnull
     return Path(home) / "vmharness"

@@ -1,5 +1,6 @@
 """Work for worker processes that they do, or that ends them."""
 
+import atexit
 import os
 import threading
 import time
@@ -27,6 +28,8 @@ def ready(*offsets):
                 return os.getpid()
             case "environment":
                 return os.environ.get(value)
+            case "at exit":
+                atexit.register(open, value, "w")
             case "memory":
                 return bytearray(value)
             case "progress":

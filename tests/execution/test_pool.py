@@ -147,3 +147,13 @@ def test_a_worker_that_died_between_tasks_is_replaced(work):
         for worker in pool._workers:
             worker.process.join()
         assert ends(pool, [("add", 1)]) == {0: Done(1)}
+
+
+def test_a_worker_ends_without_the_end_of_python_where_threads_would_abort_it(work, tmp_path):
+    with Pool(1, work.ready) as pool:
+        assert ends(pool, [("at exit", tmp_path / "written")]) == {0: Done("at exit")}
+        (worker,) = pool._workers
+        worker.connection.close()
+        worker.process.join(60)
+        assert worker.process.exitcode == 0
+    assert not (tmp_path / "written").exists()

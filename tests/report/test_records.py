@@ -1,4 +1,5 @@
 from dataclasses import dataclass
+from pathlib import Path
 
 import pytest
 
@@ -84,3 +85,38 @@ def test_other_data_than_the_case_s_have_no_studies(good, tmp_path, study):
 def test_a_record_of_another_version_is_left_out(good, tmp_path):
     path = records.write(tmp_path, good.case.id, "converge", Record({}))
     assert records.studies(good.case, path.parents[1]) == Studies([], {})
+
+
+REPORTS = Path(__file__).parents[2] / "reports"
+TRUE = {path.stem: path.read_bytes() for path in sorted((REPORTS / "VM-061" / "studies").glob("*.json"))}
+OTHER = b'"nowhere'  # begins the name of each result, in place of its own
+
+
+@pytest.mark.parametrize("name", TRUE)
+def test_a_file_that_is_no_record_is_left_out_and_the_other_studies_stay(good, tmp_path, name):
+    folder = tmp_path / good.case.id
+    for study, content in TRUE.items():
+        (folder / "studies").mkdir(parents=True, exist_ok=True)
+        (folder / "studies" / f"{study}.json").write_bytes(content)
+    complete = records.studies(good.case, folder)
+    assert len(complete.sections) == len(TRUE)
+    true = TRUE[name]
+    wrong = [
+        b"",
+        b"{}",
+        b"[]",
+        b"null",
+        true[: len(true) // 2],
+        b"\xff" + true,
+        99_999 * b"[",
+        b'{"results": 7}',
+    ]
+    for content in [*wrong, true.replace(b'"z_', OTHER).replace(b'"t_', OTHER)]:
+        (folder / "studies" / f"{name}.json").write_bytes(content)
+        found = records.studies(good.case, folder)
+        assert len(found.sections) >= len(TRUE) - 1
+        assert [section for section in complete.sections if section in found.sections][: len(TRUE) - 1]
+        assert report.write_case(good, tmp_path)
+        assert report.write_index([good], tmp_path)
+        if content in wrong[4:7]:
+            assert f"study {name}: the record cannot be read" in records.stale(folder / "studies", "", "")

@@ -163,6 +163,19 @@ def test_an_outcome_that_cannot_be_read_is_not_there(store):
     assert kept("ab12") is None
 
 
+@pytest.mark.parametrize(
+    "content", ["{}", '{"results": {}, "cycles": 5}', '{"results": {"z": ', "[" * 99_999, "[]"]
+)
+def test_a_file_that_is_no_outcome_of_the_variant_is_made_again(store, ball, content):
+    path = kept_file(Variant(ball).key("builtin"))
+    path.parent.mkdir(parents=True)
+    path.write_text(content)
+    (again,) = outcomes([Variant(ball)])
+    assert again.passed
+    assert not again.cached
+    assert outcomes([Variant(ball)]) == [replace(again, cached=True)]
+
+
 def test_a_fault_of_the_solver_is_planted_in_a_process_of_its_own(store, ball, work):
     clean, faulty = outcomes([Variant(ball), Variant(ball, fault="late")], plant=work.plant)
     assert clean.passed

@@ -36,3 +36,22 @@ def test_errors_are_kept_as_fractions_of_the_targets(tmp_path):
         tmp_path, [Outcome("a", Status.PASS, run=SimpleNamespace(rows=rows)), Outcome("b", Status.FAIL)]
     )
     assert last_run.errors(tmp_path) == {"a": {"x": pytest.approx(0.01)}, "b": {}}
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "{}",
+        "[]",
+        "7",
+        "[" * 99_999,
+        '{"VM-061": 7}',
+        '{"VM-061": {"errors": []}}',
+        '{"VM-061": {"status": 1, "errors": [1]}}',
+    ],
+)
+def test_a_file_that_is_no_record_has_no_errors_and_is_written_anew(tmp_path, content):
+    (tmp_path / last_run.FILE).write_text(content)
+    assert not any(last_run.errors(tmp_path).values())
+    last_run.write(tmp_path, [Outcome("VM-061", Status.PASS)])
+    assert last_run.read(tmp_path) == {"VM-061": "pass"}

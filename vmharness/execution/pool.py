@@ -166,8 +166,8 @@ def _kill(worker: Worker) -> None:
     if worker.ended:
         return
     worker.ended = True
-    worker.connection.close()
     if worker.process.pid is not None:
         end(worker.process.pid)  # before it is waited for: until then no other process has its number
     worker.process.kill()  # it may not have come to lead a session
     worker.process.join()
+    worker.connection.close()

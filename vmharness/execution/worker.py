@@ -27,7 +27,8 @@ PROGRESS_INTERVAL = 0.1  # seconds between messages
 def serve(connection: Connection, prepare: Callable[..., Work], arguments: tuple[Any, ...]) -> None:
     """Do `prepare(*arguments)(task, progress)` for every task until the other end of the pipe closes.
 
-    What is prepared (imports, above all) is so while the first task is still on its way.
+    What is prepared (imports, above all) is so while the first task is still on its way. The process then ends at once,
+    without Python's own end: a thread that is in C++ there, as an import can be, would abort the process.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent decides
     lead()
@@ -43,6 +44,7 @@ def serve(connection: Connection, prepare: Callable[..., Work], arguments: tuple
             if isinstance(prepared, Done):
                 answer = _attempt(prepared.value, task, _reporter(connection))
             _send(connection, answer)
+    os._exit(0)
 
 
 def _attempt(function: Callable[..., Any], *arguments: Any) -> Done | Raised:

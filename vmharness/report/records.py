@@ -74,19 +74,19 @@ def _stable(content: Any) -> Any:
 def studies(case: Case, folder: Path) -> Studies:
     """The sections of all studies with a record in `folder`, beside the page; none if the data are not the case's.
 
-    A record of another version, which cannot be read, is left out.
+    A record of another version, or one that is damaged, is left out: `vm check` names it.
     """
     found: list[Section] = []
     columns: dict[str, Section] = {}
     for study, content in _records(case, folder):
-        with contextlib.suppress(msgspec.MsgspecError):
+        with contextlib.suppress(Exception):  # whatever a file raises that is no such record
             section: Section = study.section(content, case)
             if hasattr(study, "figures"):
                 section = replace(section, figures=[*section.figures, *study.figures(content)])
-            found.append(_stamped(section, content, case))
-            if hasattr(study, "columns"):
-                told = study.columns(content, case)
-                columns |= {name: _stamped(about, content, case) for name, about in told.items()}
+            section = _stamped(section, content, case)
+            told = study.columns(content, case) if hasattr(study, "columns") else {}
+            columns |= {name: _stamped(about, content, case) for name, about in told.items()}
+            found.append(section)
     return Studies(found, columns)
 
 
@@ -94,7 +94,7 @@ def summaries(case: Case, folder: Path) -> list[str]:
     """The finding of each study in a few words, without drawings."""
     found = []
     for study, content in _records(case, folder):
-        with contextlib.suppress(msgspec.MsgspecError):
+        with contextlib.suppress(Exception):  # as above
             found.append(study.section(content, case).summary)
     return found
 
@@ -130,7 +130,7 @@ def stale(studies: Path, case_sha256: str, sources: str) -> list[str]:
 def _reasons(path: Path, case_sha256: str, sources: str) -> list[str]:
     try:
         stamp = msgspec.json.decode(path.read_bytes(), type=Stamp)
-    except (OSError, msgspec.MsgspecError):
+    except (OSError, RecursionError, msgspec.MsgspecError):
         return ["the record cannot be read"]
     reasons = [] if stamp.case_sha256 == case_sha256 else ["the case was changed after the study"]
     if stamp.made_by is None:

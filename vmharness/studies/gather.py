@@ -38,7 +38,7 @@ def gather(
     waiting: dict[str, list[int]] = {}
     for number, variant in enumerate(variants):
         key = variant.key(solver)
-        if key not in waiting and (known := kept(key)):
+        if key not in waiting and (known := kept(key)) and _is_outcome(known, variant):
             yield number, known
         else:
             waiting.setdefault(key, []).append(number)
@@ -119,8 +119,14 @@ def kept(key: str) -> Measured | None:
     """The outcome that is kept for a key, marked as `cached`; None where there is no readable one."""
     try:
         return replace(msgspec.json.decode(kept_file(key).read_bytes(), type=Measured), cached=True)
-    except (OSError, msgspec.MsgspecError):
+    except (OSError, RecursionError, msgspec.MsgspecError):
         return None
+
+
+def _is_outcome(found: Measured, variant: Variant) -> bool:
+    """Whether a file held the outcome of the variant: a failure, or each result of the case."""
+    keys = {result.key for result in variant.case.file.results}
+    return bool(found.failure) or found.results.keys() == keys
 
 
 def keep(key: str, outcome: Measured) -> None:

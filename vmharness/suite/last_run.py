@@ -17,7 +17,7 @@ def read(folder: Path) -> dict[str, str]:
 
 def errors(folder: Path) -> dict[str, dict[str, float]]:
     """Errors (value - target)/target by id, then by key, for results with a value and a target that is not zero."""
-    return {id: entry.get("errors", {}) for id, entry in _entries(folder).items()}
+    return {id: entry["errors"] for id, entry in _entries(folder).items()}
 
 
 def not_passed(folder: Path) -> set[str]:
@@ -31,19 +31,29 @@ def write(folder: Path, outcomes: Iterable[Outcome]) -> None:
 
     known = _entries(folder)
     for outcome in outcomes:
-        errors = _errors(outcome) or known.get(outcome.id, {}).get("errors", {})
+        errors = _errors(outcome) or known.get(outcome.id, {"errors": {}})["errors"]
         known[outcome.id] = {"status": str(outcome.status), "errors": errors}
     atomic.write(folder / FILE, json.dumps(dict(sorted(known.items())), indent=1) + "\n")
 
 
 def _entries(folder: Path) -> dict[str, dict[str, Any]]:
+    """Status and errors by id, as far as the file is a record."""
     try:
         found = json.loads((folder / FILE).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+    except (OSError, ValueError, RecursionError):
         return {}
-    if not isinstance(found, dict):
+    entries = found.items() if isinstance(found, dict) else ()
+    return {
+        id: {"status": entry["status"], "errors": _numbers(entry.get("errors"))}
+        for id, entry in entries
+        if isinstance(entry, dict) and "status" in entry
+    }
+
+
+def _numbers(errors: object) -> dict[str, float]:
+    if not isinstance(errors, dict):
         return {}
-    return {id: entry for id, entry in found.items() if isinstance(entry, dict) and "status" in entry}
+    return {key: error for key, error in errors.items() if isinstance(error, float | int)}
 
 
 def _errors(outcome: Outcome) -> dict[str, float]:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from vmharness.backends import builtin
 from vmharness.explicit.kernels import cache
 
 PACKAGE = Path(__file__).parents[3] / "vmharness"
@@ -193,3 +194,26 @@ def test_without_a_writable_folder_kernels_still_compile(package):
     blocked = package / "file"
     blocked.write_text("not a folder")
     assert run(package, VMHARNESS_CACHE=str(blocked)) == pytest.approx(1.0, rel=1e-3)
+
+
+def test_a_folder_that_cannot_be_written_is_said_before_a_run(tmp_path, monkeypatch):
+    monkeypatch.setenv("VMHARNESS_CACHE", str(tmp_path))
+    assert "cannot be kept" not in builtin.found().notice
+    (tmp_path / "occupied").write_text("")
+    monkeypatch.setenv("VMHARNESS_CACHE", str(tmp_path / "occupied"))
+    assert "compiled kernels cannot be kept" in builtin.found().notice
+    assert "Not a directory" in builtin.found().notice
+
+
+def test_without_a_home_no_folder_can_be_written(monkeypatch):
+    for name in ("VMHARNESS_CACHE", "XDG_CACHE_HOME", "LOCALAPPDATA"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr(Path, "home", raising(RuntimeError))
+    assert "compiled kernels cannot be kept" in builtin.found().notice
+
+
+def raising(error):
+    def home():
+        raise error
+
+    return home

@@ -18,17 +18,21 @@ if TYPE_CHECKING:
 
 NAME = "vmharness"
 COLD = "compiling the kernels of the solver: the first run takes up to a minute longer"
+UNKEPT = (
+    "compiled kernels cannot be kept, so that each run compiles them again ({}); "
+    "set VMHARNESS_CACHE to a folder that can be written"
+)
 
 
 def found() -> Found:
     """Version, folder and machine; a notice while no kernel is compiled."""
-    from vmharness.explicit.kernels.cache import folder, is_cold
+    from vmharness.explicit.kernels.cache import folder, is_cold, unwritable
 
     return Found(
         version=vmharness.__version__,
         where=str(Path(vmharness.__file__).parent / "explicit"),
         machine=folder().name,
-        notice=COLD if is_cold() else "",
+        notice=UNKEPT.format(why) if (why := unwritable()) else COLD if is_cold() else "",
     )
 
 

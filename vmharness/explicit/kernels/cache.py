@@ -41,6 +41,17 @@ def is_cold() -> bool:
         return True
 
 
+def unwritable() -> str:
+    """Why no kernel can be kept; "" where it can."""
+    try:
+        folder().mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder()) as file:
+            file.write(b"0")
+    except OSError as error:
+        return f"{folder()}: {error.strerror}"
+    return ""
+
+
 def load(path: Path) -> bytes | None:
     """The content of a file; None where there is none, or where it is damaged."""
     try:

@@ -80,7 +80,7 @@ def manual(cases: Sequence[Case], root: Path) -> Section | None:
     paths = [root / case.id / FOLDER / FILE for case in sorted(cases, key=lambda case: case.id)]
     detections = []
     for path in paths:
-        with contextlib.suppress(OSError, msgspec.MsgspecError):
+        with contextlib.suppress(OSError, RecursionError, msgspec.MsgspecError):
             detections.append(msgspec.json.decode(path.read_bytes(), type=FaultsRecord))
     return together(detections) if coverage(detections).matrix else None
 
