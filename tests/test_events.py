@@ -134,3 +134,14 @@ def test_uncertainty_covers_the_error(dt):
 def test_samples_that_are_not_finite_are_refused():
     with pytest.raises(EventError, match="not finite"):
         find(onsets, np.arange(3.0), np.array([0.0, np.nan, 1.0]), times=1, pick=1)
+
+
+def test_a_crossing_in_a_step_whose_powers_overflow_is_told():
+    time = np.array([0.0, 1e150, 2e150, 3e150])
+    with pytest.raises(EventError, match="cannot be located within a step of 1e\\+150"):
+        find(lambda t, y: crossings(t, y, 0.5, "up"), time, np.array([0.0, 0.0, 1.0, 2.0]), 1, 1)
+
+
+def test_a_minimum_whose_curvature_underflows_is_its_lowest_sample():
+    time = 1e200 * np.arange(5.0)
+    assert minima(time, 1e-200 * np.array([2.0, 1.5, 1.0, 1.5, 2.0])) == [2e200]

@@ -94,9 +94,11 @@ def _hermite_root(time: Array, values: Array, i: int) -> float:
     near = slice(max(i - 2, 0), i + 4)
     t, y = time[near] - time[i], values[near]
     cubic = CubicHermiteSpline(t, y, np.gradient(y, t, edge_order=2 if t.size > 2 else 1))
-    return float(
-        time[i] + brentq(lambda s: float(cubic(s)), 0.0, time[i + 1] - time[i], xtol=1e-300, rtol=1e-14)
-    )
+    try:
+        root = brentq(lambda s: float(cubic(s)), 0.0, time[i + 1] - time[i], xtol=1e-300, rtol=1e-14)
+    except ValueError:  # a power of the step overflows
+        raise EventError(f"cannot be located within a step of {time[i + 1] - time[i]:g}") from None
+    return float(time[i] + root)
 
 
 def minima(time: Array, values: Array) -> list[float]:
@@ -129,11 +131,11 @@ def _valleys(values: Array, rise: float) -> list[int]:
 
 
 def _vertex(time: Array, values: Array, i: int) -> float:
-    """The vertex of the parabola through the samples i-1, i, i+1."""
+    """The vertex of the parabola through the samples i-1, i, i+1; sample i if they lie on a line."""
     a, b = time[i - 1] - time[i], time[i + 1] - time[i]
     left, right = (values[i - 1] - values[i]) / a, (values[i + 1] - values[i]) / b  # divided differences
     curvature = (right - left) / (b - a)
-    return float(time[i] - 0.5 * (left - curvature * a) / curvature)
+    return float(time[i] - 0.5 * (left - curvature * a) / curvature) if curvature else float(time[i])
 
 
 def find(

@@ -75,3 +75,19 @@ def test_a_curve_is_drawn_in_the_unit_of_its_results(good, in_millimetres):
     assert z.unit == "mm"
     np.testing.assert_allclose(z.computed, 25.4 * inches.computed, rtol=1e-4, atol=1e-4)
     assert z.allowed["z_peak"][1] == pytest.approx(25.4 * inches.allowed["z_peak"][1], rel=1e-12)
+
+
+def test_time_is_drawn_in_the_unit_of_results_that_are_times(good, result_row):
+    results = [
+        structs.replace(result, unit="ms") if result.channel == "time" else result
+        for result in good.case.file.results
+    ]
+    case = replace(good.case, file=structs.replace(good.case.file, results=results))
+    run = replace(good, case=case, rows=tuple(result_row(case, each.key, 0.5) for each in results))
+    z, seconds = curves(run)[0][0], curves(good)[0][0]
+    np.testing.assert_allclose(z.time, 1e3 * seconds.time, rtol=1e-12)
+    assert z.allowed["z_peak"][0] == pytest.approx(1e3 * good.case.theory["t_peak"], rel=1e-12)
+    drawn = histories.draw(run, "h", [z], "solver")
+    assert "Time (ms)" in drawn
+    assert "100.445 ms" in drawn
+    assert "0.100445 s" in histories.draw(good, "h", [seconds], "solver")

@@ -9,7 +9,7 @@ from vmharness.case import Case
 from vmharness.deck import Deck
 from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.formula import FormulaError
-from vmharness.history import History
+from vmharness.history import History, HistoryError
 from vmharness.measure import find_event
 from vmharness.review.run_length import outside_run
 from vmharness.round_off import ROUND_OFF
@@ -74,7 +74,8 @@ def without_events(case: Case, deck: Deck) -> list[str]:
 def _missing(case: Case, name: str, channel: str, time: NDArray[np.float64]) -> str:
     """Why an event is not found in the curve of its channel, or nothing."""
     try:
-        found = find_event(case, name, History(time, {channel: case.curve(channel, time)}))
-    except FormulaError as error:
+        with np.errstate(all="ignore"):
+            found = find_event(case, name, History(time, {channel: case.curve(channel, time)}))
+    except (FormulaError, HistoryError) as error:
         found = f"{channel}: {error}"
     return found if isinstance(found, str) else ""

@@ -20,7 +20,7 @@ POINTS = 361
 
 @dataclass(frozen=True)
 class Curve:
-    """One channel in the unit that it is drawn in: computed and theory (n,) at the same times (n,)."""
+    """One channel in the unit that it is drawn in: computed and theory (n,) at the same times (n,), in `time_unit`."""
 
     channel: str
     label: str
@@ -56,12 +56,24 @@ def _curve(run: CaseRun, history: History, name: str) -> Curve:
         channel=name,
         label=line.text or name,
         unit=unit,
-        time=time,
+        time=time / time_factor(run.case),
         computed=_rounded(computed, 1e-6 * size),
         theory=_rounded(theory, 1e-6 * size),
         residual=_rounded(computed - theory, finest),
         allowed=allowed,
     )
+
+
+def time_unit(case: Case) -> str:
+    """The unit of the time axis: that of the first result that is a time, or the consistent one."""
+    return next(
+        (result.unit for result in case.file.results if result.channel == "time"), case.file.units.time
+    )
+
+
+def time_factor(case: Case) -> float:
+    """How many consistent units the unit of the time axis is."""
+    return case.units.factor(Unit(time_unit(case)))
 
 
 def _unit(case: Case, name: str) -> str:
@@ -83,7 +95,8 @@ def _allowed(run: CaseRun, channel: str, factor: float) -> dict[str, tuple[float
         result = run.case.result(row.key)
         event = run.events.get(result.event)
         if result.channel == channel and event is not None and not isinstance(event, str):
-            allowed[row.key] = (event.time, allowed_difference(run.case, row.key) / factor)
+            time = event.time / time_factor(run.case)
+            allowed[row.key] = (time, allowed_difference(run.case, row.key) / factor)
     return allowed
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from vmharness.events import Event
 from vmharness.report.figures import svg
 from vmharness.report.figures.characters import ten_to, unit
-from vmharness.report.figures.curves import Curve
+from vmharness.report.figures.curves import Curve, time_factor, time_unit
 from vmharness.report.figures.key import Entry, columns, key_below
 from vmharness.report.figures.note import note
 from vmharness.result import CaseRun
@@ -54,7 +54,7 @@ def draw(run: CaseRun, name: str, together: list[Curve], solver: str) -> str:
         _residuals(below, together)
         _events(above, below, run, places)
         _title(above, title)
-        time = f"Time ({_in(_power(last), run.case.file.units.time)})"
+        time = f"Time ({_in(_power(last), unit(time_unit(run.case)))})"
         note(below, time, (1.0, 0.0), (0, -26), xycoords="axes fraction", ha="right", color=INK)
         key_below(figure, entries, side_by_side)
         labels = ", ".join(curve.label.lower() for curve in together)
@@ -144,31 +144,35 @@ def _residuals(axes: "Axes", together: list[Curve]) -> None:
     axes.locator_params(axis="y", nbins=5)
 
 
-def _places(run: CaseRun, first: float, last: float, title: str) -> list[tuple[str, Event, float, int]]:
-    """Name and event; where its title stands along the axes, as a fraction, and in which row: the lowest with room.
+def _places(run: CaseRun, first: float, last: float, title: str) -> list[tuple[str, float, float, int]]:
+    """Name and time of each event; where its title stands along the axes, as a fraction, and in which row.
 
-    In the lowest row, which has room for two lines, the axes' own `title` comes first.
+    It is the lowest row with room. In the first, which has two lines, the own `title` of the axes comes before.
     """
-    found = {name: event for name, event in run.events.items() if isinstance(event, Event)}
+    found = {
+        name: float(f"{event.time / time_factor(run.case):.6g}")
+        for name, event in run.events.items()
+        if isinstance(event, Event)
+    }
     places, reached = [], [max(TITLED, LETTER * max(map(len, title.split("\n"))))]
-    for name, event in ordered(found.items(), lambda item: item[1].time):
+    for name, t in ordered(found.items(), lambda item: item[1]):
         half = LETTER * max(len(run.case.file.events[name].title), 10) / 2
-        middle = min((float(f"{event.time:.6g}") - first) / (last - first), 1.02 - half)
+        middle = min((t - first) / (last - first), 1.02 - half)
         level = next((row for row, end in enumerate(reached) if middle - half >= end), len(reached))
         reached[level:] = [middle + half, *reached[level + 1 :]]
-        places.append((name, event, middle, level))
+        places.append((name, t, middle, level))
     return places
 
 
-def _events(above: "Axes", below: "Axes", run: CaseRun, places: list[tuple[str, Event, float, int]]) -> None:
+def _events(above: "Axes", below: "Axes", run: CaseRun, places: list[tuple[str, float, float, int]]) -> None:
     """A vertical line where each event was found, its title on top."""
-    for name, event, middle, level in places:
-        t, title = float(f"{event.time:.6g}"), run.case.file.events[name].title
+    for name, t, middle, level in places:
+        title = run.case.file.events[name].title
         for axes in (above, below):
             axes.axvline(t, color=QUIET, linewidth=0.8, linestyle=(0, (4, 3)), zorder=0.5)
         note(
             above,
-            f"{title}\n{t:.6g} {run.case.file.units.time}",
+            f"{title}\n{t:.6g} {unit(time_unit(run.case))}",
             (middle, 1.0),
             (0, 6 + 72 * TITLE * level),
             size=8,

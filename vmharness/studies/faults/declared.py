@@ -11,7 +11,7 @@ from vmharness.case.format import RUN_LENGTH, Fault
 from vmharness.case.settings import changed_value
 from vmharness.case.tolerance import allowed_difference
 from vmharness.formula import FormulaError
-from vmharness.history import History
+from vmharness.history import History, HistoryError
 from vmharness.measure import find_event, value_at
 from vmharness.round_off import AGREE, ROUND_OFF
 
@@ -92,10 +92,10 @@ def _read(case: Case, faulty: Case, key: str) -> float | None:
     time = np.linspace(0.0, end, SAMPLES)
     try:
         history = History(time, {name: faulty.curve(name, time) for name in names})
-    except FormulaError:
+        event = find_event(case, result.event, history)
+        return None if isinstance(event, str) else value_at(history, result.channel, event.time)
+    except (FormulaError, HistoryError):
         return None
-    event = find_event(case, result.event, history)
-    return None if isinstance(event, str) else value_at(history, result.channel, event.time)
 
 
 def _move(case: Case, faulty: Case, key: str) -> Move | None:
