@@ -20,7 +20,7 @@ a plate
 1
 *DATABASE_NODOUT
 0.1
-*DATABASE_SBTOUT
+*DATABASE_SLEOUTT
 0.1
 *NODE
 1,0.0,0.0,0.0
@@ -91,7 +91,7 @@ def test_one_list_has_everything(vm, export):
         "export.k:9: *CONTROL_ACCURACY: INN = 4: only 1 is supported",
         "export.k:11: *CONTROL_BULK_VISCOSITY: TYPE = -2: only 1 is supported",
         "export.k:12: *CONTROL_IMPLICIT_GENERAL: unknown keyword",
-        "export.k:16: *DATABASE_SBTOUT: unknown keyword; did you mean *DATABASE_SLEOUT?",
+        "export.k:16: *DATABASE_SLEOUTT: unknown keyword; did you mean *DATABASE_SLEOUT?",
         "export.k:22: *NODE: TC = 8: only 0, 1, 2, 3, 4, 5, 6 and 7 are supported",
         "export.k:27: *PART: EOSID = 5: only 0 is supported",
         "export.k:29: *SECTION_SHELL: QR = -7.0: only 0.0 is supported",
@@ -196,3 +196,11 @@ def test_what_may_stand_among_cards_that_cannot_be_read_is_not_missing(vm, expor
     for hidden, missing in (("", 2), ("*DEFINE_CURVE\n", 1), ("*INCLUDE\nother.k\n", 0)):
         _, out, _ = vm("check", str(export(GOOD.replace("*NODE\n", f"{load}{hidden}*NODE\n"))))
         assert len(lines_of(out).get("not supported", [])) == missing
+
+
+def test_cards_of_which_the_same_is_to_say_are_counted(vm, export):
+    sets = "".join(f"*SET_NODE_LIST\n{sid},2.5\n1\n" for sid in (1, 2, 3))
+    _, out, _ = vm("check", str(export(GOOD.replace("*END\n", f"{sets}*END\n"))))
+    assert lines_of(out)["has no effect here"][1] == (
+        "export.k:11: *SET_NODE_LIST: DA1 = 2.5: nothing here uses attributes of sets (3 such cards)"
+    )

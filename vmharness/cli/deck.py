@@ -109,13 +109,14 @@ def _plain(value: Any) -> Any:
 
 
 def _of_keywords(errors: "Sequence[DeckError]") -> Iterator[str]:
-    """A line for each error; one line, at the place of the first, for all keywords of which the same is to say."""
-    alike: dict[str, list[str]] = {}
+    """A line, at the place of the first, for all errors that say the same of a field, or of whole keywords."""
+    alike: dict[tuple[str, ...], list[DeckError]] = {}
     for error in errors:
-        if not error.field:
-            alike.setdefault(error.what, []).append(f"*{error.keyword}")
-    for error in errors:
-        if error.field:
-            yield str(error)
-        elif keywords := alike.pop(error.what, []):
-            yield f"{error.file}:{error.line}: {', '.join(keywords)}: {error.what}"
+        field = (error.keyword, error.field, str(error.value)) if error.field else ()
+        alike.setdefault((*field, error.what), []).append(error)
+    for first, *others in alike.values():
+        if first.field:
+            yield str(first) + (f" ({len(others) + 1} such cards)" if others else "")
+        else:
+            keywords = dict.fromkeys(f"*{error.keyword}" for error in (first, *others))
+            yield f"{first.file}:{first.line}: {', '.join(keywords)}: {first.what}"

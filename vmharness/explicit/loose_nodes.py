@@ -1,7 +1,7 @@
-"""Nodes that belong to nothing: no element joins them, nothing holds, moves or loads them, and they have no mass.
+"""Nodes that belong to nothing: no element joins them, nothing moves or loads them, and they have no mass.
 
-LS-DYNA runs with such nodes; here they stay at rest. A node that is without mass, but loaded, touched by a contact or
-moved in some directions only, is an error: its acceleration would be infinite.
+LS-DYNA runs with such nodes; here they stay at rest. A node that is without mass, but loaded, moved or touched by a
+contact, is an error unless all its directions are ruled: its acceleration would be infinite.
 """
 
 import numpy as np
@@ -25,7 +25,7 @@ def rest_loose_nodes(deck: Deck, model: Model) -> None:
     massless = (model.state.mass <= 0.0) & ~held[:, :3].all(axis=1)
     if not massless.any():
         return
-    acted = _acted_on(deck, model) | held.any(axis=1)
+    acted = _acted_on(deck, model)
     if (wrong := np.flatnonzero(massless & acted)).size:
         raise _error(deck, model, wrong, "a free node without mass", "; give it mass, or support it")
     rows = np.flatnonzero(massless)

@@ -60,7 +60,7 @@ def command(path: Path, solver: str, csv: Path | None) -> int:
         return EXIT_CODES[Status.UNJUDGED]
     try:
         deck = read(path, vocabulary())
-        channels = chosen.reports(deck) | _nodes(deck)
+        channels = chosen.reports(deck) | (_nodes(deck) if csv else {})
         with TemporaryDirectory(prefix="vmharness-") as folder:
             output = chosen.solve(Job(deck, channels, Path(folder)))
     except DeckError as error:
