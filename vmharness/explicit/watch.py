@@ -3,8 +3,6 @@
 `impossible` is asked at the end of a run, wherever that is: a run with an energy that cannot be is no result.
 """
 
-from collections.abc import Collection
-
 from vmharness.explicit.balance import LOOKS, MADE, Balance
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.timestep.contact_steps import ContactSteps
@@ -21,10 +19,10 @@ CURES = {
 class Watch:
     """Energies and contacts of a run, watched over time."""
 
-    def __init__(self, model: Model, studied: Collection[int] = ()) -> None:
-        """`studied`: parts whose hourglass energy is what the run is about, and is not bounded."""
+    def __init__(self, model: Model, hourglass: bool = True) -> None:
+        """`hourglass`: whether its energy is bounded, as it is unless the run is about it."""
         self.model = model
-        self.balance, self.contacts = Balance(model, studied), ContactSteps(model)
+        self.balance, self.contacts = Balance(model, hourglass), ContactSteps(model)
 
     def look(self, ended: bool) -> str:
         """Look at the energies at t_n, if it is time; return what is wrong if the run has diverged."""

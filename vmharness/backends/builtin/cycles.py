@@ -28,8 +28,8 @@ def run(job: Job) -> Output:
         probes = {name: probe_of(model, channel) for name, channel in job.channels.items()}
     except ProbeError as error:
         return Output(None, str(error))
-    studied = {c.part for c in job.channels.values() if c.energy == "hourglass" and c.part is not None}
-    history, failure, seconds = record(model, probes, job.progress, Watch(model, studied))
+    studied = any(c.energy == "hourglass" and c.part is not None for c in job.channels.values())
+    history, failure, seconds = record(model, probes, job.progress, Watch(model, hourglass=not studied))
     said = tuple(notes(model.idle, model.facts))
     return Output(history, failure, _facts(model, history), model.state.cycle, seconds, said)
 
