@@ -1,7 +1,7 @@
 """The time loop: central differences in leapfrog form (Belytschko, Liu & Moran, Nonlinear Finite Elements, box 6.1)."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from vmharness.explicit.error import SolverError
 from vmharness.explicit.kernels import integrate
@@ -51,7 +51,7 @@ def steps(model: Model, watch: Watch | None = None) -> Iterator[State]:
             return
 
         dt = stable.limited(model.next_step())
-        check_step(model, dt, shortest)
+        check_step(model, dt, shortest, stable.blame)
         watch.contacts.look(dt, stable.bound)
         shortest = shortest or model.dtmin * dt
         advance_velocity(s.v, s.omega, s.a, s.alpha, 0.5 * (s.dt + dt))
@@ -62,10 +62,13 @@ def steps(model: Model, watch: Watch | None = None) -> Iterator[State]:
         s.t, s.dt, s.cycle = s.t + dt, dt, s.cycle + 1
 
 
-def check_step(model: Model, dt: float, shortest: float) -> None:
-    """Raise SolverError if no element sets the step `dt`, or if it is not above `shortest`."""
+def check_step(model: Model, dt: float, shortest: float, blame: Callable[[], str]) -> None:
+    """Raise SolverError if nothing sets the step `dt`, if it is not above `shortest`, or does not change the time."""
     s = model.state
     if math.isinf(dt):
         raise SolverError(s, "no element limits the time step: nothing sets it; *CONTROL_TIMESTEP LCTM can")
     if not dt > shortest or dt * MOST_CYCLES < model.end_time - s.t:
-        raise SolverError(s, f"the time step has vanished: {dt:.3g} after {s.dt:.3g}", model.controlling())
+        where = f"{model.controlling()}; {blame()}" if s.cycle else model.controlling()
+        raise SolverError(s, f"the time step has vanished: {dt:.3g} after {s.dt:.3g}", where)
+    if s.t + dt == s.t:
+        raise SolverError(s, f"the step {dt:.3g} is below the round-off of the time, which no longer grows")

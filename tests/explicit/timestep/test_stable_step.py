@@ -98,12 +98,16 @@ def test_free_blocks_of_cubes_get_theirs(deck, cells, limit):
     assert stable.ratio == pytest.approx(limit, abs=0.004)
 
 
-def test_the_linear_viscosity_of_alternating_compression_shortens_the_step_by_half_its_effect(deck):
-    """dt^2/4 K + dt/2 C/2 = M of the mode that stretches the cube: C = Q2 c/L 9 V rho c, K = 9 V K_bulk ."""
+def test_linear_viscosity_shortens_the_step_by_half_its_effect(deck):
+    """dt^2/4 K + dt/2 C/2 = M for the mode that stretches the cube, since it is compressed every other step only.
+
+    With h = L/c: K/M = 4/(s h)^2 with s^2 = (1 - nu)/(1 + nu), and C/K = Q2 h rho c^2/K_bulk. With r = dt/h,
+
+        (r/s)^2 (1 + Q2 rho c^2/K_bulk / r) = 1
+    """
     q2, nu = 0.06, 0.3
-    share = (1 + nu) / (3 * (1 - nu))  # K_bulk/(rho c^2)
-    limit = np.sqrt((1 - nu) / (1 + nu))
-    r = np.roots([1.0 / limit**2, q2 / (2 * share * limit**2) * 2.0 / 1.0 * 0.5 * 2.0, -1.0]).max()
+    s2, share = (1 - nu) / (1 + nu), 3 * (1 - nu) / (1 + nu)
+    r = np.roots([1.0, q2 * share, -s2]).max()
     assert first_step(build(deck(cubes((1, 1, 1), q2=q2)))) == pytest.approx(
         0.95 * r * own_step(nu), rel=2e-3
     )
@@ -134,25 +138,20 @@ def test_the_fact_names_factor_and_element(deck):
     assert model.facts["Stable step"] == f"{expected}; solid 1 of part 1 limits it"
 
 
-def test_a_mesh_that_deforms_is_looked_at_again(deck):
-    """A cube that is stretched in all directions: h grows with L, the true limit falls with L^-1/2."""
-    grow = "*INITIAL_VELOCITY_NODE\n" + "".join(
-        f"{n},{x},{y},{z}\n"
-        for n, (x, y, z) in enumerate(400.0 * (np.array(list(np.ndindex(2, 2, 2))) - 0.5), 1)
-    )
-    model = build(deck(cubes((1, 1, 1), cycles=60, cards=grow)))
-    side, dt = [], []
-    for s in steps(model):
-        side.append(float(np.ptp(s.x[:, 0])))
-        dt.append(s.dt)
-    assert max(side) > 1.04
-    stretched = int(np.argmax(side))
-    assert max(dt[1:]) <= 0.97 * np.sqrt(0.7 / 1.3) * own_step(0.3)
-    assert stretched > 0
+def test_a_mesh_that_has_deformed_is_looked_at_again(deck):
+    """A cube that is stretched in all directions: h grows with L, but 2/omega_max falls with L^-1/2."""
+    model = build(deck(cubes((1, 1, 1))))
+    stable, s = StableStep(model), model.state
+    next(steps(model))
+    limit = stable.limited(1.0)
+    s.x *= 1.05
+    s.cycle = 1000
+    model.blocks[0].add(s)
+    assert stable.limited(1.0) == pytest.approx(limit / 1.05**0.5, rel=1e-3)
 
 
 def test_a_run_that_diverges_names_the_element_its_share_and_tssfac(deck):
-    move = "*INITIAL_VELOCITY_NODE\n1,1.0,0.0,0.0\n"
+    move = "*INITIAL_VELOCITY_NODE\n1,1e-6,0.0,0.0\n"
     with pytest.raises(SolverError) as error:
         list(steps(build(deck(cubes((1, 1, 1), tssfac=1.3, cycles=5000, cards=move)))))
     message = str(error.value)

@@ -31,7 +31,8 @@ def run(job: Job) -> Output:
     studied = any(c.energy == "hourglass" and c.part is not None for c in job.channels.values())
     history, failure, seconds = record(model, probes, job.progress, Watch(model, hourglass=not studied))
     said = tuple(notes(model.idle, model.facts))
-    return Output(history, failure, _facts(model, history), model.state.cycle, seconds, said)
+    samples = history if len(history.time) else None  # none where the run ends in cycle 0
+    return Output(samples, failure, _facts(model, history), model.state.cycle, seconds, said)
 
 
 def record(

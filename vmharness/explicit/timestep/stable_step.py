@@ -9,10 +9,13 @@ with h_0 = h at the last estimate and r h_0 = 2/omega_max of the model. It is LS
 TSSFAC > 1 the user asks for more than the stable step; the run then takes it.
 
 The ratio r is found at the start (highest_mode.py), and again when the own step of an element near the shortest has
-changed by more than CHANGE. It grows by GROWTH at most, since a step that varies in time with a mode can drive it, even
-where each step alone is stable (parametric resonance). The damping of springs, of hourglass control and of
-*DAMPING_PART_STIFFNESS is part of r, and bulk viscosity as far as it acts in the highest mode alone. Where elements are
-compressed steadily it acts at all times and shortens h itself; the last term follows that, with r_K by stiffness alone.
+changed by more than CHANGE. The damping of springs, of hourglass control and of *DAMPING_PART_STIFFNESS is part of r,
+and bulk viscosity as far as it acts in the highest mode alone. Where elements are compressed steadily it acts at all
+times and shortens h itself; the last term follows that, with r_K by stiffness alone.
+
+A step that varies in time with a mode drives it, even where each step alone is stable (parametric resonance). With bulk
+viscosity h falls by 6 % whenever an element is compressed, and h follows the vibrations of shells. A step near the
+stable one may vary by SWING; when it has varied more, it is the least one of the last WINDOW cycles or twice as many.
 """
 
 import numpy as np
@@ -25,7 +28,8 @@ from vmharness.explicit.timestep.highest_mode import Mode, highest_mode, respons
 SAFE = 0.95  # of 2/omega_max: it is found to 1 %, and changes by CHANGE until it is found again
 CHANGE = 0.02  # of an element's own step
 CHECK_EVERY = 20  # cycles
-GROWTH = 0.002  # of r h_0 from one check to the next
+NEAR_BOUND = 0.8  # of r h_0: longer steps must not vary much
+SWING, WINDOW = 5e-4, 500
 NEAR = 1.5  # times the shortest step: longer ones do not limit the step, since r is not below 1/1.5 by far
 REPEATS = 6  # where damping makes r depend on dt
 SETTLED = 1.01  # of theta = (dt/dt_stable)^2
@@ -44,6 +48,9 @@ class StableStep:
         self._mode: Mode | None = None
         self._checked = -CHECK_EVERY
         self._fraction = 1.0  # the smallest of LS-DYNA's step that was taken
+        self._window = 0  # when the present window began
+        self._before = self._least = np.inf  # the least step of the window before, and of this one
+        self._varies = False
         self._used = 0.0  # the largest step that was taken, over r h_0
 
     def limited(self, dt: float) -> float:
@@ -54,23 +61,35 @@ class StableStep:
         if cycle >= self._checked + CHECK_EVERY:
             self._checked = cycle
             self._renew()
-            self.bound = min(self.ratio * self._own, (1.0 + GROWTH) * self.bound)
+            self.bound = self.ratio * self._own
         own = min(block.stable_step() for block in self.blocks)
         longest = min(max(tssfac, SAFE) * self.bound, max(tssfac, 1.0) * self.stiff * own)
-        self._used = max(self._used, min(dt, longest) / self.bound)
-        if not longest < dt:
-            return dt
         if longest < 0.999 * self._fraction * dt:
             self._fraction = longest / dt
             self.model.facts["Stable step"] = (
                 f"{self._fraction:.3g} of LS-DYNA's step, since this mesh is stable only up to {self.ratio:.3g} of "
                 f"the step of its elements; {self.where} limits it"
             )
-        return longest
+        step = self._steady(min(dt, longest))
+        self._used = max(self._used, step / self.bound)
+        return step
+
+    def _steady(self, dt: float) -> float:
+        """The step `dt`, kept from varying where it is near the stable one."""
+        if dt <= NEAR_BOUND * self.bound:
+            return dt
+        if self.model.state.cycle >= self._window + WINDOW:
+            self._window, self._before, self._least = self.model.state.cycle, self._least, np.inf
+        least = min(self._before, self._least)
+        self._varies = self._varies or dt > (1.0 + SWING) * least
+        self._least = min(dt, self._least)
+        return min(dt, least) if self._varies else dt
 
     def blame(self) -> str:
         """How the steps compare with the stable one, for the message of a run that has diverged."""
         tssfac, used = self.model.step_factor, self._used
+        if used == 0.0:
+            return f"no element limits the step, TSSFAC = {tssfac:g}"
         advice = (
             f"TSSFAC = {SAFE * tssfac / used:.2g} is stable"
             if used > 1.0

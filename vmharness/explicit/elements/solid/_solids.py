@@ -16,8 +16,6 @@ from vmharness.explicit.kernels.simd import LANES, by_block, by_element
 from vmharness.explicit.materials import has_long_curve
 from vmharness.explicit.state import Array, Index, State
 
-GROWTH = 0.002  # of the stable step in a cycle
-
 
 class Hexahedra:
     """Solids of one part: a force with the energies "internal" and "hourglass".
@@ -59,7 +57,7 @@ class Hexahedra:
         self._step = compiled_step(step, law, has_long_curve(constants))
         self._modulus, self._constants = modulus, constants
         self._viscous, self._hourglass = viscous, hourglass
-        self._stable = self._held = np.inf
+        self._stable = np.inf
         self._damped = False
         kept = np.zeros((elements, KEPT))
         kept[:, ROTATION] = 1.0
@@ -77,7 +75,7 @@ class Hexahedra:
 
     def add(self, state: State) -> None:
         """Add forces at t_n, and the work of the step that led there."""
-        shortest = self._step(
+        self._stable = self._step(
             state.x, state.v, state.dt,
             self._nodes, self.elements, self._fixed,
             self._modulus, self._viscous, self._hourglass, self._constants,
@@ -85,22 +83,16 @@ class Hexahedra:
             state.f, self._energy,
             self._work,
         )  # fmt: skip
-        self._stable = min(shortest, (1.0 + GROWTH) * self._held)
-        self._held = self._stable
 
     def stable_step(self) -> float:
-        """The shortest L_e / (Q + sqrt(Q^2 + c^2)) at the last `add`, or less where hourglass control is strong.
-
-        It grows by at most GROWTH in a cycle. Otherwise bulk viscosity would make it jump by 6 % whenever an element is
-        compressed; a step that jumps in time with a mode drives it, even where each step alone is stable.
-        """
+        """The shortest L_e / (Q + sqrt(Q^2 + c^2)) at the last `add`, or less where hourglass control is strong."""
         return min(self._stable, self._longest)
 
     def steps(self, x: Array) -> Array:
-        """L_e / c (ne,) at coordinates `x` (n, 3), or less where hourglass control is strong; no bulk viscosity."""
+        """L_e / c (ne,) at coordinates `x` (n, 3), of elements that are not compressed: without bulk viscosity."""
         *_, length = measures(x[self.nodes])
         speed = by_element(self._fixed, self.elements)[:, SPEED]
-        return np.minimum(length / speed, self._overshoot())
+        return np.asarray(length / speed)
 
     def scale_density(self, factor: Array) -> None:
         """Raise the densities by `factor` (ne,)."""
@@ -110,7 +102,6 @@ class Hexahedra:
         if self._hourglass[0]:
             fixed[:, MODULUS] *= np.sqrt(factor)
         self._fixed[:] = by_block(fixed)
-        self._held = np.inf
         self._longest = float(self._overshoot().min())
 
     def damp(self, beta: Array) -> None:
