@@ -5,7 +5,9 @@
     VAD 2, displacement    v_{n+1/2} = (c_{n+1} - c_n)/dt           a_n = 0          x_n - x_0 = c(t_n)
 
 Each holds exactly at every t_n. A displacement is piecewise linear: its velocity is constant between the points of the
-curve. At a point an impulse changes the velocity; a_n = 0 does not show it, but the work contains it.
+curve. At a point an impulse changes the velocity; a_n = 0 does not show it, but the work contains it. The nodes are at
+rest at t = 0, as in LS-DYNA, where v(0) = 0: the slope with which a curve begins is an impulse, too, and its work is
+external work. A rotation of a rigid body alone begins with the slope, since the work of impulses is not known there.
 
 The reaction r = m a - f is the force of the motion on its nodes. Its work is the increase of kinetic energy less the
 work of the other forces,
@@ -101,12 +103,15 @@ class PrescribedMotion:
         self.velocity = np.zeros(nodes.size)  # (m,) v_n
         self.force = np.zeros(nodes.size)  # (m,) f_n
 
-    def begin(self, model: Model) -> None:
-        """Set `fixed`, where no mass is needed as the motion lasts throughout; set the velocity at t = 0."""
+    def begin(self, model: Model, at_rest: bool = True) -> None:
+        """Set `fixed`, where no mass is needed as the motion lasts throughout; set the velocity at t = 0.
+
+        A displacement begins `at_rest`, or with the slope of its curve.
+        """
         self.fixed = np.zeros((model.ids.size, 6), bool)
         self.fixed[self.nodes, self.dof] = self.throughout(model.end_time)
         if self.birth == 0.0 and self.vad != ACCELERATION:
-            v = self.curve(0.0) if self.vad == VELOCITY else self.curve.slope()
+            v = self.curve(0.0) if self.vad == VELOCITY else 0.0 if at_rest else self.curve.slope()
             self._arrays(model.state)[0][self.nodes, self.axis] = self.sf * v
 
     def throughout(self, end_time: float) -> bool:

@@ -45,7 +45,7 @@ def build(deck: Deck, model: Model) -> None:
         _set_centre(model, row, body, one, v, omega)
     motions = _motions(model, centre)
     for motion in motions:
-        motion.begin(model)  # its velocity overrules that of the body
+        motion.begin(model, at_rest=motion.dof < 3)  # its velocity overrules that of the body
     for row, body in zip(centre, found, strict=True):
         _set_nodes(model, row, body.nodes)
     _add_constraints(deck, model, found, _bodies(model, found, inertia, centre), motions)
