@@ -67,16 +67,18 @@ class Balance:
             if kind in item.energy
         ]
         self.initial = self.supplied = self.made = self.lost = self.most_hourglass = 0.0
+        self.pressed = 0.0  # energy of contacts that begin under pressure, which is no work
         self.errors = deque[tuple[float, float]](maxlen=LOOKS)  # bounds of the error in the last looks
 
     def excess(self) -> str:
         """What is wrong with the balance at t_n, if the run has diverged; else empty."""
         now = [account.item() for account in self.stored]
+        negative = sum(min(value, 0.0) for value in now)
         total = self.model.kinetic() + sum(now)
         if self.state.cycle == 0:
-            self.initial = total
+            self.initial, self.pressed = total, -negative
         supplied = self.initial + sum(account.item() for account in self.work)
-        self.supplied = max(self.supplied, abs(supplied))
+        self.supplied = max(self.supplied, abs(supplied), abs(supplied + self.pressed))
         error = total - supplied
         self.errors.append((error - self._out_of_step(), error))
         if len(self.errors) == LOOKS:
@@ -86,7 +88,7 @@ class Balance:
         for one in self.resisting:
             one.least = min(one.least, one.account.item())
         # A negative account must not hide what is wrong with others: it counts as zero.
-        total -= sum(min(value, 0.0) for value in now)
+        total -= negative
         # A load that begins at t_n has moved the nodes by half a step, but has no work before the next cycle.
         early = max(0.0, kinetic(self.state) - kinetic_before(self.state))
         if total > DIVERGED * self.supplied and not total - early <= DIVERGED * self.supplied:
