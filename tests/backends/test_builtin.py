@@ -11,6 +11,8 @@ import pytest
 import vmharness
 from vmharness.backends import builtin
 from vmharness.case import read
+from vmharness.compare import Verdict
+from vmharness.explicit.watch import Watch
 from vmharness.run import run
 
 BALL = Path(__file__).parents[2] / "cases" / "VM-061"
@@ -42,6 +44,16 @@ def test_a_file_outside_the_case_is_included_only_if_the_case_allows_it(includin
     assert allowed.reason == ""
     digest = hashlib.sha256(GRAVITY.encode()).hexdigest()
     assert allowed.included == {"../gravity.k": digest}
+
+
+def test_a_case_with_an_energy_that_cannot_be_is_an_error_with_its_values(including, monkeypatch):
+    case = including("gravity.k")
+    assert run(case, builtin).verdict is not Verdict.ERROR
+    monkeypatch.setattr(Watch, "impossible", lambda watch: "the run cannot be judged: made for this test")
+    judged = run(case, builtin)
+    assert judged.verdict is Verdict.ERROR
+    assert judged.reason == "the run cannot be judged: made for this test"
+    assert all(row.comparison.value == row.comparison.value for row in judged.rows)
 
 
 def test_the_hash_of_every_included_file_is_on_the_page_and_in_junit(including, tmp_path):

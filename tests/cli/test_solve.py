@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from vmharness.explicit.watch import Watch
 from vmharness.history import History
 
 
@@ -41,6 +42,14 @@ def test_a_run_that_fails_is_6_after_what_it_has(vm, falling):
     code, out, err = vm("solve", str(falling))
     assert code == 6
     assert "diverged" in err
+    assert "kinetic" in out
+
+
+def test_a_run_with_an_energy_that_cannot_be_is_6_after_its_energies(vm, falling, monkeypatch):
+    monkeypatch.setattr(Watch, "impossible", lambda watch: "the run cannot be judged: made for this test")
+    code, out, err = vm("solve", str(falling))
+    assert code == 6
+    assert "made for this test" in err
     assert "kinetic" in out
 
 

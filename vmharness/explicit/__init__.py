@@ -5,7 +5,9 @@
     state.py        positions, velocities, forces, masses: the arrays that the loop updates
     force.py        what the loop asks of a force: elements, contacts, loads
     constraint.py   what the loop asks of a constraint: supports, motions, damping, walls, rigid bodies
-    energy.py       energies, their ratio, and the check of their balance
+    energy.py       energies, and their ratio
+    balance.py      energies that cannot be: what makes a run unfit to be judged
+    watch.py        what is watched of a run: its balance, and the step that its contacts need
     threads.py      forces of all elements, by several threads if NCPU asks for them
     supported.py    what the solver supports of each keyword: SUPPORTS of the modules, joined
     references/     whether the deck defines what its cards refer to
@@ -26,7 +28,7 @@ Rooms by theory:
     constraints  supports and prescribed motion of nodes
     initial      velocities at t = 0
     damping      mass damping and stiffness damping
-    timestep     limits of the step, mass scaling
+    timestep     limits of the step, mass scaling, the step that contacts need
 
 A drop-in is a file or folder that is found by being there: nothing else names it. What it must define is written in
 the docstring of its folder and checked at import. Its file name has no effect.

@@ -4,7 +4,7 @@
 
 A run has no result where one of these is found; the bounds refer to the largest |S| of the run, the energy put in:
 
-    during the run   E (without negative accounts) > 10 |S|     the run has diverged, and ends
+    during the run   E (without negative accounts) > 30 |S|     the run has diverged, and ends
     at its end       |E - S| > 5 %                              energy is made or lost by the integration
                      contact, friction, hourglass or damping energy < -5 %
                                                                 these resist or store: a negative one is energy from
@@ -15,9 +15,14 @@ A run has no result where one of these is found; the bounds refer to the largest
 5 % of energy is 2.5 % of velocity, more than any tolerance of a verification should allow. 10 % of hourglass energy is
 what users of LS-DYNA accept; a case that records the hourglass energy of a part is about it, and not bounded.
 
-In a vibration of central differences K at t_n and the stored energy are out of step: E oscillates by (omega dt)^2/4.
-E - S therefore counts where it has one sign in LOOKS looks, in successive cycles: no shorter than half a period of any
-vibration that makes it larger than 5 %.
+In a vibration of central differences K and the stored energy at t_n are out of step. With exact initial velocity the
+amplitude is 1/sqrt(1 - q) of the true one, q = (omega dt / 2)^2, and E lies between S and S / (1 - q); what stays the
+same is
+
+    E - dt^2/8 sum m a^2
+
+The error of the balance lies between this and E, and counts where it has one sign in LOOKS looks, in successive cycles.
+A run has diverged when E exceeds what 0.98 of the stable step could make of S.
 """
 
 from collections import deque
@@ -29,10 +34,10 @@ from vmharness.explicit.force import Force
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.state import Array
 
-DIVERGED = 10.0  # times the energy supplied: a run with more has diverged
+DIVERGED = 30.0  # times the energy supplied
 MADE = 0.05  # of the energy put in: more than this is not made or lost by round-off and the step
 HOURGLASS = 0.1  # of the energy put in
-LOOKS = 8  # (2 pi / 14)^2 / 4 = 5 %: the oscillation is larger only where the period is below 14 steps
+LOOKS = 8
 RESISTING = ("contact", "friction", "hourglass", "damping")  # energies that cannot be negative
 
 
@@ -62,29 +67,38 @@ class Balance:
             if kind in item.energy
         ]
         self.initial = self.supplied = self.made = self.lost = self.most_hourglass = 0.0
-        self.errors = deque[float](maxlen=LOOKS)  # E - S of the last looks
+        self.pressed = 0.0  # energy of contacts that begin under pressure, which is no work
+        self.errors = deque[tuple[float, float]](maxlen=LOOKS)  # bounds of the error in the last looks
 
     def excess(self) -> str:
         """What is wrong with the balance at t_n, if the run has diverged; else empty."""
         now = [account.item() for account in self.stored]
+        negative = sum(min(value, 0.0) for value in now)
         total = self.model.kinetic() + sum(now)
         if self.state.cycle == 0:
-            self.initial = total
+            self.initial, self.pressed = total, -negative
         supplied = self.initial + sum(account.item() for account in self.work)
-        self.supplied = max(self.supplied, abs(supplied))
-        self.errors.append(total - supplied)
+        self.supplied = max(self.supplied, abs(supplied), abs(supplied + self.pressed))
+        error = total - supplied
+        self.errors.append((error - self._out_of_step(), error))
         if len(self.errors) == LOOKS:
-            self.made, self.lost = max(self.made, min(self.errors)), max(self.lost, -max(self.errors))
+            self.made = max(self.made, min(least for least, _ in self.errors))
+            self.lost = max(self.lost, -max(most for _, most in self.errors))
         self.most_hourglass = max(self.most_hourglass, sum(account.item() for account in self.hourglass))
         for one in self.resisting:
             one.least = min(one.least, one.account.item())
         # A negative account must not hide what is wrong with others: it counts as zero.
-        total -= sum(min(value, 0.0) for value in now)
+        total -= negative
         # A load that begins at t_n has moved the nodes by half a step, but has no work before the next cycle.
         early = max(0.0, kinetic(self.state) - kinetic_before(self.state))
         if total > DIVERGED * self.supplied and not total - early <= DIVERGED * self.supplied:
             return f"the run has diverged: its energy is {total:.3g}, of which {self.supplied:.3g} was put in"
         return ""
+
+    def _out_of_step(self) -> float:
+        """dt^2/8 sum m a^2, with rotations."""
+        s = self.state
+        return float(0.125 * s.dt**2 * (s.mass @ (s.a**2).sum(axis=1) + s.inertia @ (s.alpha**2).sum(axis=1)))
 
     def impossible(self) -> tuple[str, str] | None:
         """Kind of an energy of the run that cannot be, or "balance", and what is wrong with it; None if all can be."""

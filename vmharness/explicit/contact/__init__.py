@@ -10,10 +10,10 @@ records, parameters    the data of kernels: nodes, segments, state of each conta
 geometry, projection   shape functions; closest point
 search, detection      candidate segments of a node; where contact begins
 tracking               where the contact point moves, where contact ends; tracking_simd: several at a time
-neighbours             the segment that takes over a node which crosses an edge
+neighbours, ridge      the segment that takes over a node which crosses an edge, or a ridge
 force, friction        spring, damper, Coulomb friction
 kinematics, energy     relative motion, balance of moments; energy account
-stable_step, limits    facts of the run
+stable_step, limits    facts of the run; active_step: the step that the active contacts allow
 supported              what is supported of the contact keywords; without_effect: fields that change no result
 control_contact        what is supported of *CONTROL_CONTACT
 """

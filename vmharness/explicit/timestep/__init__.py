@@ -1,1 +1,1 @@
-"""The time step beyond the elements' own: its limits, and mass scaling."""
+"""The time step beyond the elements' own: its limits, mass scaling, the step that contacts need."""
