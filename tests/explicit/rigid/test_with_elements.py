@@ -174,8 +174,19 @@ def test_the_step_of_springs_on_massless_nodes_is_that_of_the_bodies(deck):
         assert model.next_step() == pytest.approx(2 * math.sqrt(mass / 50.0), rel=1e-9)
 
 
-def test_bodies_alone_need_a_step(deck, block):
-    model = build(deck("*KEYWORD\n*CONTROL_TERMINATION\n1.0\n" + block))
+def test_bodies_alone_have_the_step_that_their_elements_would_have(deck, block):
+    text = "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n"
+    model = build(deck(text + block))
+    next(steps(model))
+    elastic = build(deck(text + block.replace("*MAT_RIGID", "*MAT_ELASTIC").replace("\n\n\n", "\n")))
+    next(steps(elastic))
+    assert model.next_step() == pytest.approx(elastic.next_step(), rel=1e-12)
+    assert "nothing else limits the step" in model.facts["Step of rigid bodies"]
+
+
+def test_a_body_without_elements_needs_a_step(deck):
+    body = "*CONSTRAINED_NODAL_RIGID_BODY\n1,0,1\n*SET_NODE_LIST\n1\n1,2\n*ELEMENT_MASS\n1,1,1.0\n2,2,1.0\n"
+    model = build(deck("*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*NODE\n1,0.0\n2,1.0\n" + body))
     with pytest.raises(SolverError, match=r"no element limits the time step.*LCTM"):
         list(steps(model))
 

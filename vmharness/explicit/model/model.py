@@ -29,6 +29,7 @@ class Model(Nodes):
     ncpu: int = 1  # threads that compute the elements
     dtmin: float = 0.0  # the run ends with an error below this fraction of its first step
     caps: list[Callable[[float], float]] = field(default_factory=list)  # t -> the longest step allowed
+    rigid_step: float = math.inf  # of the elements of rigid bodies, if they were elastic
     facts: dict[str, str] = field(
         default_factory=dict
     )  # what building it changed, for the reader of the results

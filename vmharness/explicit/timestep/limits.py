@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from vmharness.deck import Deck
+from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.explicit.balance import MADE
 from vmharness.explicit.contact.contact import Contact
@@ -19,11 +19,16 @@ from vmharness.explicit.state import Array
 def add_caps(deck: Deck, model: Model) -> None:
     """Add the caps of *CONTROL_TIMESTEP: dt_0 <= DTINIT, dt_n <= LC(t_n) with the curve LCTM.
 
-    They shorten the step that the elements allow, TSSFAC included, and never lengthen it.
+    They shorten the step that the elements allow, TSSFAC included, and never lengthen it. Where rigid bodies are all
+    that there is, their elements limit the step.
     """
-    control = deck.first(CONTROL_TIMESTEP)
-    if control is None:
-        return
+    control = deck.first(CONTROL_TIMESTEP) or Entry.of_defaults(CONTROL_TIMESTEP)
+    if not (control.lctm or model.blocks) and math.isfinite(model.rigid_step):
+        step = model.step_factor * model.rigid_step
+        model.caps.append(lambda t: step)
+        model.facts["Step of rigid bodies"] = (
+            "nothing else limits the step: L/c of their elements, with E and PR"
+        )
     if control.dtinit:
         first = control.dtinit
         model.caps.append(lambda t: first if t == 0.0 else math.inf)
