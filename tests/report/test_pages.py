@@ -216,9 +216,17 @@ def test_a_run_without_a_history_has_a_page(broken, tmp_path):
 def test_published_difference_is_told_apart_into_explained_and_not(good, tmp_path):
     markdown, _ = written(good, tmp_path)
     assert "gives 1 of the 2 figures of the LS-DYNA column" in markdown
-    assert "The reading does not explain: Kinetic Energy at impact." in markdown
+    assert "Kinetic Energy at impact agrees with the value of this run at exactly 0.072 s." in markdown
+    assert "No reading of this run gives" not in markdown
     kinetic = table_after(markdown, "Source of the published difference")[3]
     assert kinetic[-1] == "✗ no; at exactly 0.072 s: 193.099, ✓ yes"
+
+
+def test_a_figure_that_no_reading_gives_is_named(good, tmp_path):
+    first, second = good.readings["LS-DYNA"]
+    odd = replace(second, other=None, other_same=False)
+    markdown, _ = written(replace(good, readings={"LS-DYNA": (first, odd)}), tmp_path)
+    assert "No reading of this run gives: Kinetic Energy at impact." in markdown
 
 
 def test_the_head_of_a_row_tells_the_verdict_where_its_column_is_off_the_screen(failed, tmp_path):
