@@ -3,13 +3,19 @@
 import re
 from dataclasses import replace
 from html.parser import HTMLParser
+from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
+from vmharness.case import read
+from vmharness.formula import Unit
 from vmharness.report import write_case, write_index
-from vmharness.result import Unrun
+from vmharness.report.page import page
+from vmharness.result import CaseRun, Solution, Unrun
+
+CASES = Path(__file__).parents[2] / "cases"
 
 VOID = {"meta", "br", "wbr", "img", "link", "hr", "input"}
 
@@ -210,9 +216,17 @@ def test_a_run_without_a_history_has_a_page(broken, tmp_path):
 def test_published_difference_is_told_apart_into_explained_and_not(good, tmp_path):
     markdown, _ = written(good, tmp_path)
     assert "gives 1 of the 2 figures of the LS-DYNA column" in markdown
-    assert "The reading does not explain: Kinetic Energy at impact." in markdown
+    assert "Kinetic Energy at impact agrees with the value of this run at exactly 0.072 s." in markdown
+    assert "No reading of this run gives" not in markdown
     kinetic = table_after(markdown, "Source of the published difference")[3]
     assert kinetic[-1] == "✗ no; at exactly 0.072 s: 193.099, ✓ yes"
+
+
+def test_a_figure_that_no_reading_gives_is_named(good, tmp_path):
+    first, second = good.readings["LS-DYNA"]
+    odd = replace(second, other=None, other_same=False)
+    markdown, _ = written(replace(good, readings={"LS-DYNA": (first, odd)}), tmp_path)
+    assert "No reading of this run gives: Kinetic Energy at impact." in markdown
 
 
 def test_the_head_of_a_row_tells_the_verdict_where_its_column_is_off_the_screen(failed, tmp_path):
@@ -321,3 +335,15 @@ def test_sensitivity_tells_what_moves_what_and_from_where_on_it_is_seen(good, tm
     assert table["**Smallest error that fails**"]["g"] == "0.0001 % (t_impact)"
     assert "No target depends on E, nu, L, rho, dt." in markdown
     assert "<h2>Sensitivity</h2>" in html
+
+
+@pytest.mark.parametrize(
+    ("id", "line"), [("D-59", "w_peak"), ("D-59", "t_down"), ("D-49", "s_peak"), ("D-45", "t_p")]
+)
+def test_a_target_has_one_unit_in_the_theory_and_in_the_results(id, line):
+    case = read(CASES / id)
+    run = CaseRun(case, Solution("vmharness", None), (), {}, {}, "d", "c", 1.0)
+    shown = next(each for each in page(run).theory if each.name == line)
+    result = next(result for result in case.file.results if result.target == line)
+    assert shown.unit == Unit(result.unit)
+    assert shown.value * case.units.factor(shown.unit) == pytest.approx(case.theory[line])

@@ -1,11 +1,14 @@
 """The sections of `vm faults` and `vm explain`, and the matrix on the index, from records made by hand."""
 
+from dataclasses import replace
+
+import msgspec
 import pytest
 
 from vmharness import report
 from vmharness.reading import last_cycles
 from vmharness.report import records
-from vmharness.report.sections import faults
+from vmharness.report.sections import explain, faults
 from vmharness.studies.explain.record import SAMPLING, Column, ExplainRecord, Part, explained
 from vmharness.studies.faults.record import FaultsRecord, Finding, Noticed
 
@@ -126,7 +129,7 @@ def test_parts_are_shares_of_the_tolerance_and_drawn(good, tmp_path):
     records.write(tmp_path, good.case.id, "explain", record)
     report.write_case(good, tmp_path)
     page = (tmp_path / good.case.id / "README.md").read_text()
-    assert "| z_peak | 20 | 20 | -10 | 10 | 5 |" in page
+    assert "| z_peak | 20 | 20 | -10 | 10 ± 5 |" in page
     story = page.partition("## Source of the published difference: LS-DYNA\n")[2].partition("\n## ")[0]
     assert (
         "Of all ways of reading that were tried, the following one (states 0.001 s apart) gives the most figures of the "
@@ -135,8 +138,20 @@ def test_parts_are_shares_of_the_tolerance_and_drawn(good, tmp_path):
     assert "ke agrees with another reading: another." in story
     assert "0 of 1 figures equal the rounded targets of this case. These do not: z_peak." in page
     assert "- The mesh is fixed." in page
-    assert "| z_peak | 0.032 | 0.032 | 0 | 0 |" in page  # in percent of the target
+    assert "| z_peak | 0.032 | 0.032 | – |" in page  # in percent of the target
     for name in ("explained.svg", "explained-1.svg"):
         assert (tmp_path / good.case.id / name).read_text().startswith("<svg")
     report.write_index([good], tmp_path)
     assert "10 % of a tolerance is unexplained" in (tmp_path / "README.md").read_text()
+
+
+def test_a_rest_is_shown_with_its_uncertainty_and_nothing_where_there_is_none(good):
+    def rest(value, uncertainty):
+        one = explained("z_peak", "Z", "in", -1.0, -1.0, 1.0, [Part("sampling", 0.5, 0.0)])
+        parts = [*one.parts[:-1], Part("unexplained", value, uncertainty, "difference")]
+        return explain.section(
+            msgspec.json.encode(ExplainRecord("A", "0", [replace(one, parts=parts)], [])), good.case
+        )
+
+    cells = [rest(*each).tables[0].rows[0][-1] for each in [(0.0, 0.0), (0.1, 0.0), (0.1, 0.02), (0.0, 0.02)]]
+    assert cells == ["–", "10", "10 ± 2", "0 ± 2"]

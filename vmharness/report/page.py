@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from vmharness.case import Case, CaseError
-from vmharness.case.format import Budget, Fault, Given, as_line
+from vmharness.case.format import Budget, Fault, Given, Line, as_line
 from vmharness.case.tolerance import budget_lines, review_measured
 from vmharness.formula import Formula, Unit
 from vmharness.report import published
@@ -124,10 +124,17 @@ def _theory(case: Case) -> list[TheoryLine]:
     lines = []
     for name, line in case.file.theory.items():
         line = as_line(line)
-        unit = Unit(case.units.name(case.dimensions[name]) if line.unit is None else line.unit)
+        unit = Unit(_unit(case, name, line))
         value = case.theory[name] / case.units.factor(unit)
         lines.append(TheoryLine(name, line.text, case.formulas[name], value, unit))
     return lines
+
+
+def _unit(case: Case, name: str, line: Line) -> str:
+    """The unit to print a line in: that of the result whose target it is, the declared one, or the consistent one."""
+    units = [result.unit for result in case.file.results if result.target.strip() == name]
+    declared = [] if line.unit is None else [line.unit]
+    return next(iter([*units, *declared, case.units.name(case.dimensions[name])]))
 
 
 def _curves(case: Case) -> list[TheoryLine]:

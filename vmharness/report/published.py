@@ -34,20 +34,32 @@ def _section(run: CaseRun, column: Published, explained: Section) -> Section:
 
 def _read(run: CaseRun, column: Published, read: tuple[Reading, ...]) -> str:
     """The reading that the case declares for a column, and how many figures it gives."""
-    rest = [_name(run, reading) for reading in read if not reading.same]
+    same = [reading for reading in read if reading.same]
+    other = [reading for reading in read if not reading.same and reading.other_same]
+    rest = [_name(run, reading) for reading in read if not (reading.same or reading.other_same)]
     time = run.case.file.units.time
-    text = (
+    sentences = [
         f"The {column.name} column agrees with values that are read from states {number.short(column.interval)} {time} "
         "apart. Each state is the last cycle up to its nominal time. An onset is the first state with contact, and an "
-        "extremum is the state with the largest or smallest value; nothing is interpolated. "
-    )
-    if not rest:
-        return text + f"Read in this way, this run gives all {len(read)} figures of the {column.name} column."
-    return text + (
-        f"Read in this way, this run gives {len(read) - len(rest)} of the {len(read)} figures of the {column.name} "
-        "column. The distance of these figures from theory comes from the reading, not from a solver. "
-        f"The reading does not explain: {', '.join(rest)}."
-    )
+        "extremum is the state with the largest or smallest value; nothing is interpolated.",
+        f"Read in this way, this run gives {_count(same, read)} figures of the {column.name} column.",
+    ]
+    if same:
+        sentences.append(
+            "The distance of these figures from theory comes from the reading, not from a solver."
+        )
+    sentences += [
+        f"{_name(run, reading)} agrees with the value of this run at exactly {number.short(reading.other[0])} {time}."
+        for reading in other
+        if reading.other
+    ]
+    if rest:
+        sentences.append(f"No reading of this run gives: {', '.join(rest)}.")
+    return " ".join(sentences)
+
+
+def _count(some: list[Reading], every: tuple[Reading, ...]) -> str:
+    return f"all {len(every)}" if len(some) == len(every) else f"{len(some)} of the {len(every)}"
 
 
 def _table(run: CaseRun, column: Published, read: tuple[Reading, ...]) -> Table:

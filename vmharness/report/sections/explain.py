@@ -15,8 +15,8 @@ HOW = (
     "The error of each result (value − target) is split into its causes, in percent of the tolerance. Time step and "
     "sampling are found by runs with a half and a quarter of the time step, which are read at the times of this run "
     "and at finer times. Rounding of the deck is found by a run whose deck has all digits of the data; the contact "
-    "penalty by a run with contacts twice as stiff; the mesh by the value to which its refinement converges. The rest "
-    "is unexplained. The last column (±) is the sum of the uncertainties of the causes."
+    "penalty by a run with contacts twice as stiff; the mesh by the value to which its refinement converges. The last "
+    "column is the rest that these causes do not explain, ± the sum of their uncertainties; a dash: there is none."
 )
 
 SPLIT = "The last table splits the error of each figure into its causes."
@@ -77,15 +77,23 @@ def remarks(found: ExplainRecord) -> list[str]:
 def _table(results: Sequence[Explained], value: str) -> Table:
     """Parts in percent of the tolerance; for a published column, which has none, in percent of the target."""
     causes, own = _causes(results), value == "value"
-    head = [f"Result (% of the {'tolerance' if own else 'target'})", f"{value} − target", *causes, "±"]
+    head = [f"Result (% of the {'tolerance' if own else 'target'})", f"{value} − target", *causes]
     return Table(head, [_row(one, causes, own) for one in results])
 
 
 def _row(one: Explained, causes: Sequence[str], own: bool) -> list[str]:
     parts = {part.cause: part.value for part in one.parts}
-    shown = [_percent(one, parts[cause], own) if cause in parts else DASH for cause in causes]
+    shown = [_percent(one, parts[cause], own) if cause in parts else DASH for cause in causes[:-1]]
+    return [one.key, _percent(one, one.difference, own), *shown, _rest(one, own)]
+
+
+def _rest(one: Explained, own: bool) -> str:
+    """The unexplained rest with its uncertainty; a dash if nothing is left to explain."""
+    rest = _percent(one, one.unexplained.value, own)
     open_ = _percent(one, one.unexplained.open, own).removeprefix("-")
-    return [one.key, _percent(one, one.difference, own), *shown, open_]
+    if open_ == "0":
+        return DASH if rest == "0" else rest
+    return f"{rest} ± {open_}"
 
 
 def _column_figure(case: str, column: Column, number: int) -> Figure:
