@@ -210,3 +210,16 @@ def test_a_reader_who_leaves_early_sees_no_traceback(ball):
     done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=True)
     assert done.stdout == "cases: cases\n0\n"
     assert done.stderr == ""
+
+
+def test_results_of_an_earlier_run_do_not_stay_where_nothing_was_selected(ball, vm):
+    ball()
+    Path("r.json").write_text("of an earlier run")
+    assert vm("run", "absent", "--json", "r.json")[0] == 5
+    (case,) = json.loads(Path("r.json").read_text())["cases"]
+    assert (case["id"], case["outcome"]) == ("absent", "case error")
+    assert "no case absent" in case["reason"]
+    Path("occupied").write_text("a file")
+    code, _, err = vm("run", "absent", "--junit", "occupied/r.xml")
+    assert code == 5
+    assert "occupied/r.xml cannot be written" in err

@@ -86,6 +86,7 @@ def test_the_picture_names_what_the_case_is_about():
     assert {"moving wall 1 (block)", "1 spring"} <= {text for text, _ in texts("VM-083")}
     assert {"wall 1 (stop)"} <= {text for text, _ in texts("VM-085")}
     assert {"wall 1"} <= {text for text, _ in texts("VM-265")}
+    assert {"1 supported node", "40 beam elements"} <= {text for text, _ in texts("D-51-beam")}
     assert {"1 spring", "1 damper"} <= {text for text, _ in texts("VM-072")}
 
 

@@ -100,18 +100,36 @@ def write_files(
     """Write the index, the exports and the record for --lf; returns the files that could not be written."""
     from vmharness import report
     from vmharness.result import Unrun
-    from vmharness.suite.export import exported
 
     runs = [outcome.run for outcome in outcomes if outcome.run is not None]
     unrun = [Unrun(outcome.id, outcome.reason) for outcome in outcomes if outcome.run is None]
+    unwritten = write_exports(outcomes, found, wanted.solver, wanted.files, began)
     tasks: dict[str, Callable[[], object]] = {}
-    run = cache(partial(exported, outcomes, found, wanted.solver, began))
-    for name, path in wanted.files.items():
-        tasks[str(path)] = partial(_export, name, run, path)
     if wanted.index:
         tasks["the index"] = partial(report.write_index, runs, wanted.root, unrun)
     if not wanted.data:
         tasks[str(wanted.root / last_run.FILE)] = partial(last_run.write, wanted.root, outcomes)
+    return [
+        *unwritten,
+        *(failed for what, write in tasks.items() for failed in reports.attempted(what, write)),
+    ]
+
+
+def write_exports(
+    outcomes: Sequence[Outcome],
+    found: Sequence[Entry],
+    solver: str,
+    files: Mapping[str, Path],
+    began: Began,
+) -> list[Unwritten]:
+    """Write the results for machines, also where nothing was run: a file of an earlier run would say what is past.
+
+    Returns the files that could not be written.
+    """
+    from vmharness.suite.export import exported
+
+    run = cache(partial(exported, outcomes, found, solver, began))
+    tasks = {str(path): partial(_export, name, run, path) for name, path in files.items()}
     return [failed for what, write in tasks.items() for failed in reports.attempted(what, write)]
 
 

@@ -49,15 +49,18 @@ def command(
 
     SELECT is an id, a pattern such as 'VM-0*', or the path of a case folder; without any, all cases are run.
     """
-    from vmharness.cli.pipeline import Wanted, run_cases, write_files  # not needed for --help
+    from vmharness.cli.pipeline import Wanted, run_cases, write_exports, write_files  # not needed for --help
 
     began = Began(["vm", *ctx.find_root().obj], now(), time.perf_counter())
     found, unknown = selected(selectors, cases, words, tags)
     if lf:
         pending = last_run.not_passed(out or REPORTS)
         found = [case for case in found if case.id in pending]
+    outcomes = [Outcome(selector, Status.BROKEN, problem) for selector, problem in unknown.items()]
     if not found:
         complain("nothing selected")
+        for file in write_exports(outcomes, found, solver, options.files(ctx), began):
+            complain(f"{file.what} cannot be written: {file.reason}")
         return NOTHING_SELECTED
     narrowed = bool(selectors or words or tags or lf or data)
     wanted = Wanted(
@@ -70,7 +73,6 @@ def command(
         index=not (narrowed or no_report),
         files=options.files(ctx),
     )
-    outcomes = [Outcome(selector, Status.BROKEN, problem) for selector, problem in unknown.items()]
     done, unwritten = run_cases(found, wanted)
     outcomes += done
     unwritten += write_files(outcomes, found, wanted, began)

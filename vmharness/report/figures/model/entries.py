@@ -41,6 +41,7 @@ def entries(view: View, acceleration: str) -> list[Entry]:
     """The entries of the key, from the top."""
     tracked = sum(nodes.size for nodes, _ in view.contacts)
     segments = sum(segments.shape[0] for _, segments in view.contacts)
+    held = np.intersect1d(view.supports, view.rows).size
     dampers = int(view.discrete.damper.sum())
     springs = len(view.discrete.nodes) - dampers
     centres = sum(body.centre is not None and not body.fixed for body in view.bodies)
@@ -55,7 +56,7 @@ def entries(view: View, acceleration: str) -> list[Entry]:
         (centres, "centre of mass", CENTRE),
         (len(view.joints), _counted(len(view.joints), "joint"), JOINT),
         (len(view.walls), _counted(len(view.walls), "rigid wall"), PLANE),
-        (view.supports.size, _counted(view.supports.size, "supported node"), SUPPORT),
+        (held, _counted(held, "supported node"), SUPPORT),
         (
             tracked,
             f"contact: {_counted(tracked, 'node')}\non {_counted(segments, 'segment')}",

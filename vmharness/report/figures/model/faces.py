@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from vmharness.mesh.faces import faces_of_solids, outside
+from vmharness.mesh.faces import area_vectors, faces_of_solids, outside
 from vmharness.mesh.view import View
 from vmharness.report.figures.model.frame import VIEWER, Frame
 from vmharness.report.figures.model.labels import Labels
@@ -24,9 +24,8 @@ def draw_faces(axes: "Axes", view: View, frame: Frame, labels: Labels) -> None:
     """All faces that can be seen; those of rigid bodies in their own shade."""
     from matplotlib.collections import PolyCollection
 
-    solid, _ = faces_of_solids(view.solids)
     rigid = [body.faces for body in view.bodies]
-    faces = np.concatenate([solid[outside(solid)], view.shells, *rigid])
+    faces = np.concatenate([_before(view), view.shells, *rigid])
     if not faces.size:
         return
     deformable = np.arange(len(faces)) < len(faces) - sum(map(len, rigid))
@@ -43,6 +42,14 @@ def draw_faces(axes: "Axes", view: View, frame: Frame, labels: Labels) -> None:
             zorder=1,
         )
     )
+
+
+def _before(view: View) -> Index:
+    """The outer faces of solids whose outward normals point at the eye; the others are hidden behind them."""
+    faces, _ = faces_of_solids(view.solids)
+    faces = faces[outside(faces)]
+    area = area_vectors(view.x[faces])
+    return faces[area @ VIEWER > ROUND_OFF * np.linalg.norm(area, axis=1)]
 
 
 def far_first(faces: Index, x: NDArray[np.float64], viewer: NDArray[np.float64]) -> list[int]:

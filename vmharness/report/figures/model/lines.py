@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+DENSE = 250  # tracked nodes that are drawn, at most twice as many: more would lie on one another
+
 
 def draw_beams(axes: "Axes", view: View, frame: Frame, labels: Labels) -> None:
     """A line for each deformable beam."""
@@ -39,8 +41,9 @@ def draw_contacts(axes: "Axes", view: View, frame: Frame, labels: Labels) -> Non
         axes.add_collection(
             PolyCollection(corners, facecolors=TOUCH, edgecolors="none", alpha=0.16, zorder=1.5)
         )
-        small = {"markersize": 1.2} if tracked.size > MANY else {}
-        axes.plot(*frame.at(view.x[tracked]).T, zorder=4.1, **TOUCHING | small)
+        small = {"markersize": 1.6} if tracked.size > MANY else {}
+        shown = tracked[:: max(1, tracked.size // DENSE)]
+        axes.plot(*frame.at(view.x[shown]).T, zorder=4.1, **TOUCHING | small)
         if segments.size and tracked.size <= MANY:
             for node in tracked:
                 line = frame.at(np.array([view.x[node], _nearest(view, node, segments)]))
