@@ -63,13 +63,12 @@ class Case(Struct, frozen=True, kw_only=True):
     outcome: Annotated[
         str,
         Meta(
-            description="pass, fail, error (could not be judged), case error (the case is wrong), "
-            "defect (of vmharness), not run (interrupted before it was finished). More may follow, as for a verdict."
+            description="pass, fail, error (could not be judged), not representable (by the solver), "
+            "case error (the case is wrong), defect (of vmharness), not run (interrupted before it was finished). "
+            "More may follow, as for a verdict."
         ),
     ]
-    verdict: Annotated[
-        Verdict, Meta(description="pass and fail as the outcome; error for every other outcome")
-    ]
+    verdict: Annotated[Verdict, Meta(description="pass, fail, not representable as the outcome; else error")]
     reason: Annotated[str, Meta(description="Why it does not pass; empty for a pass")]
     started: Time | None
     seconds: Annotated[

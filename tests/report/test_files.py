@@ -20,7 +20,12 @@ from vmharness.suite.timed import Began
 
 ROOT = Path(__file__).parents[2]
 SCHEMA = json.loads((ROOT / "docs" / "schema" / "results.schema.json").read_text())
-STATUSES = {Verdict.PASS: Status.PASS, Verdict.FAIL: Status.FAIL, Verdict.ERROR: Status.UNJUDGED}
+STATUSES = {
+    Verdict.PASS: Status.PASS,
+    Verdict.FAIL: Status.FAIL,
+    Verdict.ERROR: Status.UNJUDGED,
+    Verdict.UNREPRESENTABLE: Status.UNREPRESENTABLE,
+}
 
 # Attributes of the schema junit-10.xsd that Jenkins, GitLab and pytest follow, by element; "!" marks what must be there.
 ALLOWED = {
@@ -31,13 +36,14 @@ ALLOWED = {
     "testcase": "name! assertions time timestamp classname! status class file line log group url",
     "failure": "type message",
     "error": "type message",
+    "skipped": "type message",
     "system-out": "",
 }
 INSIDE = {
     "testsuites": {"testsuite"},
     "testsuite": {"properties", "testcase"},
     "properties": {"property"},
-    "testcase": {"failure", "error", "system-out"},
+    "testcase": {"failure", "error", "skipped", "system-out"},
 }
 
 
@@ -183,6 +189,28 @@ def test_a_case_without_a_run_is_not_left_out(good, status):
     assert (suite.get("tests"), suite.get("errors")) == ("1", "1")
     assert suite.find("testcase/error").get("message") == reason
     assert suite.find("testcase/error").get("type") == status
+
+
+def test_a_case_that_the_solver_cannot_represent_is_skipped_and_no_failure(good):
+    why = "no contact in this solver"
+    rows = tuple(
+        replace(row, comparison=replace(row.comparison, verdict=Verdict.UNREPRESENTABLE, reason=why))
+        for row in good.rows
+    )
+    run = outcome(replace(good, rows=rows), status=Status.UNREPRESENTABLE, reason=why)
+    (case,) = as_json(run)["cases"]
+    assert (case["outcome"], case["verdict"], case["reason"]) == (
+        "not representable",
+        "not representable",
+        why,
+    )
+    (suite,) = as_junit(run)
+    assert (suite.get("tests"), suite.get("failures"), suite.get("errors"), suite.get("skipped")) == (
+        "6",
+        "0",
+        "0",
+        "6",
+    )
 
 
 def test_junit_counts_what_it_holds(good, failed, broken):

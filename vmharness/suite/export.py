@@ -20,7 +20,7 @@ from vmharness.suite.outcome import Outcome, Status
 from vmharness.suite.select import FILE, Entry
 from vmharness.suite.timed import Began
 
-JUDGED = (Status.PASS, Status.FAIL)
+ANSWERS = (Status.PASS, Status.FAIL, Status.UNREPRESENTABLE)  # that are verdicts, too
 
 
 def exported(outcomes: Iterable[Outcome], found: Iterable[Entry], solver: str, began: Began) -> export.Run:
@@ -73,7 +73,7 @@ def _case(outcome: Outcome, entry: Entry | None, solver: str) -> export.Case:
         solver=run.solution.solver if run else solver,
         set={name: case.datum(name) for name in case.file.given if name in case.changed} if case else {},
         outcome=str(outcome.status),
-        verdict=str(outcome.status if outcome.status in JUDGED else Status.UNJUDGED),
+        verdict=str(outcome.status if outcome.status in ANSWERS else Status.UNJUDGED),
         reason=outcome.reason,
         started=outcome.started or None,
         seconds=outcome.seconds,

@@ -14,7 +14,8 @@ from vmharness.export import Case, Result, Run
 # Characters that XML 1.0 does not allow, even escaped.
 _ILLEGAL = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 FILE = "case.toml"
-KINDS = {"fail": "failure", "not reported": "skipped"}  # of verdicts; every other one is an error
+# Of verdicts; every other one is an error.
+KINDS = {"fail": "failure", "not reported": "skipped", "not representable": "skipped"}
 
 
 def render(run: Run) -> str:
@@ -72,9 +73,9 @@ def _tests(case: Case) -> list[Element]:
     """A test for each result; one with the reason where these do not say why the case has its outcome."""
     tests = [_test(case, result) for result in case.results]
     said = any(result.verdict == case.verdict for result in case.results)
-    if not said or case.outcome not in ("pass", "fail"):
+    if not said or case.outcome != case.verdict or case.outcome == "error":
         test = _named(case, "solver" if case.results else "case")
-        kind = "failure" if case.verdict == "fail" else "error"
+        kind = KINDS.get(case.verdict, "error")
         test.append(_reason(kind, case.outcome, case.reason or "no result was judged"))
         tests.append(test)
     return tests
