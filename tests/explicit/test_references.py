@@ -65,7 +65,7 @@ FAULTS: dict[str, Any] = {
     "*LOAD_SEGMENT\n1,1.0,0.0,1,2,3,9\n": "N4 = 9: no *NODE 9",
     "*LOAD_SEGMENT_SET\n5,1\n": "SSID = 5: no *SET_SEGMENT with SID = 5; defined: none",
     "*LOAD_RIGID_BODY\n5,1,1\n": "PID = 5: no rigid body 5; there are: none",
-    "*LOAD_BODY_PARTS\n5\n": "PSID = 5: no *SET_PART_LIST with SID = 5; defined: none",
+    "*LOAD_BODY_PARTS\n5\n": "PSID = 5: no *SET_PART_... with SID = 5; defined: none",
     "*CONTROL_TIMESTEP\n,,,,,7\n": "LCTM = 7: no *DEFINE_CURVE with LCID = 7; defined: 1",
     "*BOUNDARY_SPC_NODE\n9,0,1\n": "NID = 9: no *NODE 9",
     "*BOUNDARY_PRESCRIBED_MOTION_SET\n5,1,0,1\n": "NSID = 5: no *SET_NODE_... with SID = 5; defined: 1",
@@ -92,7 +92,7 @@ FAULTS: dict[str, Any] = {
     "*CONTACT_NODES_TO_SURFACE\n5,1,4,3\n\n\n": "SURFA = 5: no *SET_NODE_... with SID = 5; defined: 1",
     "*CONTACT_SURFACE_TO_SURFACE\n1,5,3,0\n\n\n": "SURFB = 5: no *SET_SEGMENT with SID = 5; defined: none",
     "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n5,0,2\n\n\n": (
-        "SURFA = 5: no *SET_PART_LIST with SID = 5; defined: none"
+        "SURFA = 5: no *SET_PART_... with SID = 5; defined: none"
     ),
     "*PART\nsolid\n2,5,6,0,7\n*ELEMENT_SHELL\n2,2,1,2,3,4\n": [
         "SECID = 5: no *SECTION_SHELL with SECID = 5; defined: 1",

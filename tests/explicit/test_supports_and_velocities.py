@@ -38,6 +38,8 @@ def test_sets_by_range_part_and_all(wall_and):
     for definition, held in (
         ("*SET_NODE_LIST_GENERATE\n3\n6,7\n", [5, 6]),
         ("*SET_NODE_GENERAL\n3\nNODE,5,8\n", [4, 7]),
+        ("*SET_NODE_COLUMN\n3\n5\n8\n", [4, 7]),
+        ("*SET_NODE_ADD\n3\n4,5\n*SET_NODE_LIST\n4\n5\n*SET_NODE_LIST_GENERATE\n5\n8,9\n", [4, 7]),
         ("*SET_NODE_GENERAL\n3\nPART,1\n", [0, 1, 2, 3]),
         ("*SET_NODE_GENERAL\n3\nALL\n", list(range(8))),
     ):
@@ -118,6 +120,35 @@ def test_a_range_that_is_none_is_refused(wall_and, ranges):
     text = f"*SET_NODE_LIST_GENERATE\n3\n{ranges}\n*BOUNDARY_SPC_SET\n3,0,1,1,1\n"
     with pytest.raises(DeckError, match="give the first number, then the last; both are positive"):
         wall_and(NODES + text)
+
+
+@pytest.mark.parametrize(
+    ("sets", "moved"),
+    [
+        ("*SET_PART_LIST_GENERATE\n5\n8,99\n", [4, 5]),
+        ("*SET_PART_ADD\n5\n6,7\n*SET_PART_LIST\n6\n9\n*SET_PART_LIST_GENERATE\n7\n90,99\n", [4, 5]),
+        ("*SET_PART_LIST\n5\n9\n", [4, 5]),
+    ],
+)
+def test_part_sets_by_list_range_and_other_sets(wall_and, sets, moved):
+    text = NODES + "*ELEMENT_DISCRETE\n1,9,5,6\n" + SPRING + sets
+    model = wall_and(text + "*INITIAL_VELOCITY_GENERATION\n5,1,0.0,1.0\n\n")
+    assert np.flatnonzero(model.state.v[:, 0]).tolist() == moved
+
+
+@pytest.mark.parametrize(
+    ("sets", "message"),
+    [
+        ("*SET_PART_ADD\n5\n6\n", r"SET_PART_ADD: SETS = 6: no \*SET_PART_... with SID = 6"),
+        ("*SET_PART_ADD\n5\n5\n", "SET_PART_ADD: SETS = 5: adds up other sets itself"),
+        ("*SET_PART_LIST_GENERATE\n5\n8,7\n", "a range 8 to 7: give the first number"),
+        ("*SET_PART_LIST_GENERATE\n5\n80,90\n", "ID = 5: part set 5 has no part of the deck; see deck.k:"),
+        ("", r"ID = 5: no \*SET_PART_... with SID = 5; defined: none"),
+    ],
+)
+def test_part_sets_that_name_nothing_are_refused(wall_and, sets, message):
+    with pytest.raises(DeckError, match=message):
+        wall_and(NODES + sets + "*INITIAL_VELOCITY_GENERATION\n5,1,0.0,1.0\n\n")
 
 
 EMPTY_PART = "*PART\nwithout elements\n9,1,1\n*SET_PART_LIST\n5\n9\n"

@@ -24,11 +24,11 @@ from vmharness.deck.keywords.element.solid import ELEMENT_SOLID
 from vmharness.deck.keywords.part import PART
 from vmharness.deck.keywords.set.part import SET_PART_LIST
 from vmharness.deck.keywords.set.segment import SET_SEGMENT
-from vmharness.deck.keywords.set.shell import SET_SHELL_LIST
+from vmharness.deck.keywords.set.shell import SET_SHELL_LIST, SET_SHELL_LIST_GENERATE
 from vmharness.mesh.elements import by_part, elements, shells
 from vmharness.mesh.faces import faces_of_solids, outside
 from vmharness.mesh.nodes import Index, Nodes
-from vmharness.mesh.sets import node_set
+from vmharness.mesh.sets import PART_SETS, in_ranges, node_set, part_set
 
 SEGMENT_SET, SHELL_SET, PART_SET, ONE_PART, NODE_SET, ALL, EXEMPT = range(7)
 
@@ -111,7 +111,9 @@ def named_faces(deck: Deck, every: Faces, contact: Entry, field: str, kind: int)
     if kind == ALL:
         return np.ones(every.pid.size, bool)
     if kind == SHELL_SET:
-        named = deck.find(SET_SHELL_LIST, sid=number, referred_by=(contact, field))
+        named = deck.find(SET_SHELL_LIST, SET_SHELL_LIST_GENERATE, sid=number, referred_by=(contact, field))
+        if named.keyword is SET_SHELL_LIST_GENERATE:
+            return every.shell & in_ranges(named, every.eid)
         for row in np.flatnonzero(~np.isin(named.shells, every.eid[every.shell])):
             raise named.error("shells", f"no *ELEMENT_SHELL {named.shells[row]}", int(row))
         return every.shell & np.isin(every.eid, named.shells)
@@ -123,7 +125,8 @@ def named_faces(deck: Deck, every: Faces, contact: Entry, field: str, kind: int)
 
 def defined_parts(deck: Deck, contact: Entry, field: str) -> list[int]:
     """The parts of the part set that `field` names; raises DeckError for one that the deck does not have."""
-    found = deck.find(SET_PART_LIST, sid=getattr(contact, field), referred_by=(contact, field))
-    for row, number in enumerate(found.parts.tolist()):
-        deck.find(PART, pid=number, referred_by=(found, "parts", row))
-    return sorted(found.parts.tolist())
+    found = deck.find(*PART_SETS, sid=getattr(contact, field), referred_by=(contact, field))
+    if found.keyword is SET_PART_LIST:
+        for row, number in enumerate(found.parts.tolist()):
+            deck.find(PART, pid=number, referred_by=(found, "parts", row))
+    return sorted(part_set(deck, contact, field))

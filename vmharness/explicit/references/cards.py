@@ -64,10 +64,11 @@ OTHERS: Mapping[str, Mapping[str, Kind | None]] = {
 }
 
 MEMBERS: Mapping[Kind, Mapping[str, Kind]] = {
-    NODE_SETS: {"nodes": NODES},
+    NODE_SETS: {"nodes": NODES, "sets": NODE_SETS},
+    PART_SETS: {"sets": PART_SETS},
     SEGMENT_SETS: FOUR_NODES,
     SHELL_SETS: {"shells": SHELLS},
-    PART_SETS_OF_SURFACES: {"parts": PARTS},
+    PART_SETS_OF_SURFACES: {"parts": PARTS, "sets": PART_SETS},
 }
 
 SURFACES: Mapping[int, Kind] = {

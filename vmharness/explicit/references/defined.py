@@ -14,11 +14,10 @@ from vmharness.deck.keywords.element.shell import ELEMENT_SHELL, ELEMENT_SHELL_T
 from vmharness.deck.keywords.hourglass import HOURGLASS
 from vmharness.deck.keywords.node import NODE
 from vmharness.deck.keywords.part import PART
-from vmharness.deck.keywords.set.node import SET_NODE_GENERAL, SET_NODE_LIST, SET_NODE_LIST_GENERATE
-from vmharness.deck.keywords.set.part import SET_PART_LIST
 from vmharness.deck.keywords.set.segment import SET_SEGMENT
-from vmharness.deck.keywords.set.shell import SET_SHELL_LIST
+from vmharness.deck.keywords.set.shell import SET_SHELL_LIST, SET_SHELL_LIST_GENERATE
 from vmharness.explicit.model.rigid_bodies import body_number, definitions
+from vmharness.mesh import sets
 
 LISTED = 10  # numbers of one field that are named each
 
@@ -37,11 +36,11 @@ PARTS = Kind((PART,))
 RIGID_BODIES = Kind(())  # see model/rigid_bodies.py
 HOURGLASSES = Kind((HOURGLASS,))
 ORIENTATIONS = Kind((DEFINE_SD_ORIENTATION,))
-NODE_SETS = Kind((SET_NODE_LIST, SET_NODE_LIST_GENERATE, SET_NODE_GENERAL))
+NODE_SETS = Kind(sets.NODE_SETS)
 SEGMENT_SETS = Kind((SET_SEGMENT,))
-SHELL_SETS = Kind((SET_SHELL_LIST,))
-PART_SETS = Kind((SET_PART_LIST,))
-PART_SETS_OF_SURFACES = Kind((SET_PART_LIST,))  # every part of these has to be defined
+SHELL_SETS = Kind((SET_SHELL_LIST, SET_SHELL_LIST_GENERATE))
+PART_SETS = Kind(sets.PART_SETS)
+PART_SETS_OF_SURFACES = Kind(sets.PART_SETS)  # every part of these has to be defined
 
 
 @dataclass

@@ -1,4 +1,4 @@
-"""*SET_NODE: nodes by list, by range, or by what they belong to."""
+"""*SET_NODE: nodes by list, by range, by other sets, or by what they belong to."""
 
 from vmharness.deck.card import Card, Rows
 from vmharness.deck.field import Field, integer, real, text
@@ -28,6 +28,24 @@ SET_NODE_LIST_GENERATE = Keyword(
     "SET_NODE_LIST_GENERATE",
     HEAD,
     Rows(per_line=8, together=2, ranges=integer(0)),  # first, last, first, last, ...
+    options=("TITLE",),
+    unique="sid",
+    kind="node set",
+)
+
+SET_NODE_COLUMN = Keyword(
+    "SET_NODE_COLUMN",
+    HEAD,
+    Rows(nodes=integer(above=0), a1=real(0.0), a2=real(0.0), a3=real(0.0), a4=real(0.0)),
+    options=("TITLE",),
+    unique="sid",
+    kind="node set",
+)
+
+SET_NODE_ADD = Keyword(
+    "SET_NODE_ADD",
+    HEAD,
+    Rows(per_line=8, sets=integer(0)),
     options=("TITLE",),
     unique="sid",
     kind="node set",
