@@ -1,10 +1,13 @@
 """The time loop against exact solutions of the difference equations and of the differential ones."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from vmharness.backends.builtin.cycles import run
+from vmharness.backends.protocol import Job
 from vmharness.deck import DeckError
 from vmharness.explicit import energy
 from vmharness.explicit.error import SolverError
@@ -175,3 +178,21 @@ def test_a_history_of_a_node_that_is_not_there_is_an_error(wall_and, asked, mess
     with pytest.raises(DeckError, match=message):
         wall_and(asked)
     wall_and(asked.replace("99", "4"))
+
+
+def test_a_step_that_does_not_change_the_time_is_an_error(wall_and):
+    """Shorter and shorter steps, down to 5e-17, half of the last digit of the time."""
+    curve = "*DEFINE_CURVE\n2\n0.0,1e-3\n0.59,1e-3\n0.599996,5e-17\n10.0,5e-17\n*CONTROL_TIMESTEP\n,,,,,2\n"
+    with pytest.raises(SolverError, match="the step 5e-17 is below the round-off of the time"):
+        list(steps(wall_and(curve, end=0.6)))
+
+
+def test_a_run_that_ends_in_cycle_0_has_a_message_and_no_history(deck):
+    text = "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*NODE\n1,0.0,0.0,0.0\n*ELEMENT_MASS\n1,1,1e-300\n"
+    pull = (
+        "*DEFINE_CURVE\n1\n0.0,1.0\n10.0,1.0\n*LOAD_NODE_POINT\n1,3,1,1e10\n*CONTROL_TIMESTEP\n,,,,,1\n*END\n"
+    )
+    output = run(Job(deck(text + pull), {}, Path()))
+    assert output.history is None
+    assert "cycle 0: the motion is no longer finite" in output.failure
+    assert "LCTM" not in output.failure

@@ -23,9 +23,7 @@ from vmharness.explicit.force import Force
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.state import Array, Index, State
 
-SMALL = (
-    1e-6  # displacement of the step over the shortest distance between nodes of an element; rotation in rad
-)
+SMALL = 1e-8  # displacement of the step over the shortest distance between nodes of an element; rotation
 FEWEST, MOST = 12, 60  # iterations
 RESIDUAL = 0.01  # of theta
 
@@ -134,7 +132,7 @@ def shortest_distance(model: Model) -> float:
 
 
 def lanczos(product: Callable[[Array], Array], start: Array) -> tuple[float, Array]:
-    """The largest eigenvalue of a symmetric operator, from below, and its vector of unit length.
+    """The largest eigenvalue of a symmetric operator, from below, and its vector of unit length; NaN on overflow.
 
     >>> values = np.array([1.0, 2.0, 5.0])
     >>> theta, z = lanczos(lambda z: values * z, np.ones(3))
@@ -147,6 +145,8 @@ def lanczos(product: Callable[[Array], Array], start: Array) -> tuple[float, Arr
     beside: list[float] = []
     while True:
         w = product(basis[-1])
+        if not np.isfinite(w).all():
+            return np.nan, w
         diagonal.append(float(w @ basis[-1]))
         Q = np.stack(basis)
         for _ in range(2):  # twice is enough: the vectors are then orthogonal to round-off

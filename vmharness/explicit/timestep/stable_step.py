@@ -60,7 +60,8 @@ class StableStep:
         cycle, tssfac = self.model.state.cycle, self.model.step_factor
         if cycle >= self._checked + CHECK_EVERY:
             self._checked = cycle
-            self._renew()
+            with np.errstate(all="ignore"):  # where the motion has diverged
+                self._renew()
             self.bound = self.ratio * self._own
         own = min(block.stable_step() for block in self.blocks)
         longest = min(max(tssfac, SAFE) * self.bound, max(tssfac, 1.0) * self.stiff * own)
@@ -113,15 +114,15 @@ class StableStep:
         dt, start = self._own, self._mode.z if self._mode else None
         for _ in range(REPEATS):
             mode = highest_mode(self.model, dt, start)
-            if not np.isfinite(mode.theta):
-                return  # the motion has diverged
+            if not mode.theta > 0.0:
+                return  # nothing vibrates, or the motion has diverged
             if mode.theta <= SETTLED:
                 break
             dt, start = dt / mode.theta**0.5, mode.z
         self._mode = mode
-        if mode.theta > 0.0:
-            self.ratio, self.stiff = (float(dt / self._own / part**0.5) for part in (mode.theta, mode.stiff))
-            self.where = largest_share(self.model, mode, dt)
+        self.ratio = float(dt / self._own / mode.theta**0.5)
+        self.stiff = float(dt / self._own / mode.stiff**0.5) if mode.stiff > 0.0 else np.inf
+        self.where = largest_share(self.model, mode, dt)
 
 
 def own_steps(model: Model, blocks: list[Elements]) -> Array:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from vmharness.deck import Deck
+from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.control.shell import CONTROL_SHELL
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.deck.keywords.section.shell import SECTION_SHELL
@@ -94,6 +94,7 @@ def add_part(deck: Deck, model: Model, part: Part, name: str, shells: Callable[.
     control = deck.first(CONTROL_SHELL)
     if section.elform != ELFORM:
         raise section.error("elform", f"not implemented; supported: {ELFORM} (Belytschko-Tsay)")
+    _check_shear_factor(section, part.moduli.nu)
     t = thickness(part)
     law = law_of(part.material, "plane_stress", part.part)
     try:
@@ -120,3 +121,10 @@ def add_part(deck: Deck, model: Model, part: Part, name: str, shells: Callable[.
     model.forces.append(block)
     for corner in part.nodes.T:
         model.add_mass(corner, block.mass, block.inertia)
+
+
+def _check_shear_factor(section: Entry, nu: float) -> None:
+    """Above this factor the rotary inertia that keeps shear slower than the membrane is negative: see mass.py."""
+    pole = 2 * (1 + abs(nu)) / (1 - nu)
+    if section.shrf >= pole:
+        raise section.error("shrf", f"must be less than 2 (1 + |PR|)/(1 - PR) = {pole:.6g}; 5/6 is usual")
