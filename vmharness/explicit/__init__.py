@@ -8,6 +8,7 @@
     energy.py       energies, and their ratio
     balance.py      energies that cannot be: what makes a run unfit to be judged
     watch.py        what is watched of a run: its balance, and the step that its contacts need
+    drilling.py     nodes of shells that can spin about the normal
     threads.py      forces of all elements, by several threads if NCPU asks for them
     supported.py    what the solver supports of each keyword: SUPPORTS of the modules, joined
     references/     whether the deck defines what its cards refer to

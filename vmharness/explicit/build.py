@@ -18,6 +18,7 @@ from vmharness.explicit.constraints import prescribed_motion, spc
 from vmharness.explicit.contact import build as contacts
 from vmharness.explicit.damping import mass as mass_damping
 from vmharness.explicit.damping import stiffness as stiffness_damping
+from vmharness.explicit.drilling import report_drilling
 from vmharness.explicit.initial import velocity
 from vmharness.explicit.loose_nodes import rest_loose_nodes
 from vmharness.explicit.model.model import Model
@@ -99,7 +100,8 @@ def passes_of_whole_models() -> Iterator[Add]:
     yield lambda deck, model: limits.reserve_mass(model)  # before mass is scaled: m_e/h_e^2 is a stiffness
     yield mass_scaling.build  # after all constraints on nodes, whose velocities it keeps
     yield limits.report_contact_steps  # after mass is scaled: it compares the steps that result
-    yield rigid_bodies.build  # last: it moves the mass of each body from its nodes to its centre
+    yield rigid_bodies.build  # after these: it moves the mass of each body from its nodes to its centre
+    yield report_drilling  # after all constraints: what these hold does not spin
     yield rest_loose_nodes  # after all that could hold, move or load a node
     yield _check_histories
 
