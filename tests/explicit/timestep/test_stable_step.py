@@ -118,6 +118,41 @@ HELD = "*BOUNDARY_SPC_NODE\n" + "".join(
 )
 
 
+RIGID = """*PART
+light
+2,1,2
+*MAT_RIGID
+2,{density},2.0e11,0.3
+
+
+*NODE
+21,0.0,0.0,2.0
+22,1.0,0.0,2.0
+23,1.0,1.0,2.0
+24,0.0,1.0,2.0
+*ELEMENT_SOLID
+9,2,2,6,8,4,21,22,23,24
+*INITIAL_VELOCITY_NODE
+1,1.0,-1.0,0.5
+"""
+
+
+@pytest.mark.parametrize("density", [1.0, 7800.0, 7.8e5])
+def test_a_cube_on_a_rigid_body_is_stable_up_to_its_own_limit(deck, density):
+    """The body takes part with its mass and inertia, however light: 2 % above the limit the run diverges."""
+    text = cubes((1, 1, 1), cycles=2000, cards=RIGID.format(density=density))
+    energy = energies(model := build(deck(text)))
+    assert energy[-MEAN:].mean() <= 1.01 * energy[:MEAN].mean()
+    stable = StableStep(model)
+    limit = stable.limited(1.0) / 0.95
+    curve = f"*DEFINE_CURVE\n1\n0.0,{1.02 * limit}\n10.0,{1.02 * limit}\n*CONTROL_TIMESTEP\n,9.0,,,,1\n"
+    text = cubes((1, 1, 1), cycles=20000, cards=RIGID.format(density=density)).replace(
+        "*CONTROL_TIMESTEP\n0.0,0.9\n", curve
+    )
+    with pytest.raises(SolverError, match=r"(diverged|vanished).* of the stable one of solid 1 of part 1"):
+        list(steps(build(deck(text))))
+
+
 def test_a_held_element_and_a_shorter_step_of_the_user_keep_ls_dynas_step(deck):
     """Uniaxial strain: the limit is sqrt(2) L/c or more, and the step is TSSFAC L/c."""
     for tssfac in (0.9, 0.95):
@@ -155,7 +190,10 @@ def test_a_run_that_diverges_names_the_element_its_share_and_tssfac(deck):
     with pytest.raises(SolverError) as error:
         list(steps(build(deck(cubes((1, 1, 1), tssfac=1.3, cycles=5000, cards=move)))))
     message = str(error.value)
-    assert "up to 1.3 of the stable one of solid 1 of part 1, with TSSFAC = 1.3: TSSFAC = 0.95 is" in message
+    assert (
+        "up to 1.3 of the stable one of solid 1 of part 1, with TSSFAC = 1.3: TSSFAC = 0.95 or less is"
+        in message
+    )
     assert "LCTM" not in message
 
 

@@ -27,10 +27,10 @@ from vmharness.explicit.timestep.highest_mode import Mode, highest_mode, respons
 
 SAFE = 0.95  # of 2/omega_max: it is found to 1 %, and changes by CHANGE until it is found again
 CHANGE = 0.02  # of an element's own step
-CHECK_EVERY = 20  # cycles
+CHECK_EVERY, PAUSE = 20, 200  # cycles; the pause after an estimate, which takes some 30 evaluations of forces
 NEAR_BOUND = 0.8  # of r h_0: longer steps must not vary much
 SWING, WINDOW = 5e-4, 500
-NEAR = 1.5  # times the shortest step: longer ones do not limit the step, since r is not below 1/1.5 by far
+NEAR = 2.0  # times the shortest step: elements with a longer one do not limit the step, since r is above 0.5
 REPEATS = 6  # where damping makes r depend on dt
 SETTLED = 1.01  # of theta = (dt/dt_stable)^2
 
@@ -46,7 +46,7 @@ class StableStep:
         self._at: Array | None = None  # the elements' own steps at the last estimate
         self._own = np.inf  # the shortest of them, h_0
         self._mode: Mode | None = None
-        self._checked = -CHECK_EVERY
+        self._check = 0  # the cycle of the next look at the steps
         self._fraction = 1.0  # the smallest of LS-DYNA's step that was taken
         self._window = 0  # when the present window began
         self._before = self._least = np.inf  # the least step of the window before, and of this one
@@ -58,8 +58,8 @@ class StableStep:
         if not self.blocks:
             return dt
         cycle, tssfac = self.model.state.cycle, self.model.step_factor
-        if cycle >= self._checked + CHECK_EVERY:
-            self._checked = cycle
+        if cycle >= self._check:
+            self._check = cycle + CHECK_EVERY
             with np.errstate(all="ignore"):  # where the motion has diverged
                 self._renew()
             self.bound = self.ratio * self._own
@@ -92,7 +92,7 @@ class StableStep:
         if used == 0.0:
             return f"no element limits the step, TSSFAC = {tssfac:g}"
         advice = (
-            f"TSSFAC = {SAFE * tssfac / used:.2g} is stable"
+            f"TSSFAC = {SAFE:g} or less is stable"
             if used > 1.0
             else "the elements bear it; a smaller TSSFAC shows whether contact, spring or load does not"
         )
@@ -108,6 +108,7 @@ class StableStep:
             if (np.abs(steps - self._at)[near] <= CHANGE * self._at[near]).all():
                 return
         self._at, self._own = steps, float(steps.min())
+        self._check += PAUSE if self._mode else 0
         self._estimate()
 
     def _estimate(self) -> None:

@@ -6,7 +6,7 @@
 
 The estimate is the classical one, not a bound: a single free square is stable only up to L_s / (c sqrt(1 + nu)), the
 limit of the mode that stretches it in all directions (0.877 at nu = 0.3, less than the 0.9 of TSSFAC). Neighbours and
-supports raise the limit; a shell that has neither needs TSSFAC = 0.8. The energy balance ends a run that diverges.
+supports raise the limit. timestep/stable_step.py sees to shells that have neither.
 """
 
 from vmharness.explicit.elements.shell.belytschko_tsay.frame import Corners

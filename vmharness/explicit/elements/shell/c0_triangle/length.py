@@ -5,8 +5,7 @@
 
 The estimate is the classical one, not a bound: a single free triangle is stable only up to 0.78 to 0.94 L_s / c, the
 limit of the modes of its membrane (equilateral: 2 sqrt 2 / 3 / sqrt(1 + nu), 0.83 at nu = 0.3). A free square of two
-triangles is stable up to 0.94, one of eighteen up to 0.97. An element that has neither neighbours nor supports needs
-TSSFAC = 0.75.
+triangles is stable up to 0.94, one of eighteen up to 0.97. timestep/stable_step.py sees to such meshes.
 """
 
 from vmharness.explicit.elements.shell.c0_triangle.frame import Corners
