@@ -159,7 +159,7 @@ def watched(model):
 def test_energy_that_is_made_or_lost_is_told(wall_and):
     text = "*NODE\n5,0,0,5\n*ELEMENT_MASS\n5,5,2.0\n*INITIAL_VELOCITY_NODE\n5,,,1.0\n"
     for work, said in ((-0.2, "0.2 was made"), (0.2, "0.2 was lost")):
-        model = wall_and(text)
+        model = wall_and(text, end=3.0)
         watch = Watch(model)
         for s in steps(model, watch):
             if s.cycle == 5:

@@ -21,8 +21,9 @@ same is
 
     E - dt^2/8 sum m a^2
 
-The error of the balance lies between this and E, and counts where it has one sign in LOOKS looks, in successive cycles.
-A run has diverged when E exceeds what 0.98 of the stable step could make of S.
+The error of the balance lies between this and E, and counts where it has one sign in LOOKS looks, some of them in
+successive cycles. A run has diverged when E exceeds what 0.98 of the stable
+step could make of S.
 """
 
 from collections import deque
@@ -37,7 +38,7 @@ from vmharness.explicit.state import Array
 DIVERGED = 30.0  # times the energy supplied
 MADE = 0.05  # of the energy put in: more than this is not made or lost by round-off and the step
 HOURGLASS = 0.1  # of the energy put in
-LOOKS = 8
+LOOKS = 4
 RESISTING = ("contact", "friction", "hourglass", "damping")  # energies that cannot be negative
 
 

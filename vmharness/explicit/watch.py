@@ -7,7 +7,8 @@ from vmharness.explicit.balance import LOOKS, MADE, Balance
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.timestep.contact_steps import ContactSteps
 
-EVERY = 50  # cycles between two series of looks at the energies
+EVERY = 50  # cycles between two looks at the energies
+SERIES = 100  # cycles between two series of looks in successive cycles
 CURES = {
     "hourglass": "likely cause: elements with one point of integration that bend, or are loaded at single nodes; a "
     "finer mesh, full integration (ELFORM), or stiffer *HOURGLASS would do",
@@ -26,11 +27,12 @@ class Watch:
 
     def look(self, ended: bool) -> str:
         """Look at the energies at t_n, if it is time; return what is wrong if the run has diverged."""
-        place = self.model.state.cycle % EVERY
-        if place >= LOOKS and not ended:
+        cycle = self.model.state.cycle
+        due = ended or cycle % EVERY == 0
+        if not due and cycle % SERIES >= LOOKS:
             return ""
         excess = self.balance.excess()
-        return excess if ended or place == 0 else ""
+        return excess if due else ""
 
     def blame(self) -> str:
         """The contact that is to blame for a run that has diverged, and what would mend it; empty if none."""

@@ -141,3 +141,13 @@ def test_a_block_that_slides_off_the_end_is_not_pushed(deck):
     assert velocity[2] < -0.1
     assert rise < 1e-6
     assert abs(change) < 1e-4
+
+
+@pytest.mark.parametrize("kind", ["AUTOMATIC_SURFACE_TO_SURFACE", "ONE_WAY_SURFACE_TO_SURFACE"])
+def test_a_wide_block_slides_across_a_narrow_plank(deck, kind):
+    # Nodes of the block come onto the plank from its side, in the penetration, and leave it at the other.
+    bodies = [((8, 2, 1), [0.0, 0.0, 0.0], 0.7, False)], ((5, 5, 1), ON, 0.0, True)
+    model = build(deck(slide(*bodies, SPEED * DIRECTION, kind=kind, end=0.03)))
+    velocity, rise, _ = run(model)
+    np.testing.assert_allclose(velocity[:2], SPEED * DIRECTION, atol=3e-3 * SPEED)
+    assert rise < 1e-5

@@ -118,7 +118,7 @@ def move_over_ridge(
     """Begin the contact of a node with the segment that takes it over."""
     xi, eta = centre(segments[s]["triangle"])
     maxpar = parameters["maxpar"]
-    if activate(segments, first, neighbours, own, maxpar, x, 0.0, s, 1.0, xi, eta, node, states):
+    if activate(segments, first, neighbours, own, maxpar, x, -1.0, s, 1.0, xi, eta, node, states):
         new = states[node["count"] - 1]
         account_activation(mass, segments, parameters, v, dt, node, new, account)
 

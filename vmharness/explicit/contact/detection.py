@@ -119,7 +119,7 @@ def activate(
         then = track(segments, first, neighbours, own, maxpar, x, reach, node, states, k)
         if then < 0:
             break
-        state["segment"], state["side"] = then, 1.0  # over a ridge
+        state["segment"], state["side"], reach = then, 1.0, -1.0  # over a ridge
         state["xi"], state["eta"] = centre(segments[then]["triangle"])
     if then == HELD:
         node["count"] += 1

@@ -10,9 +10,9 @@ of two blocks that are stacked flush: its surface does not oppose the side of th
 of its own, such as a mass or the end of a beam, moves over the ridge where it is deeper than the segment extends beyond
 its border (MAXPAR).
 
-A node whose surface opposes the other side alone moves there at once if it has come through the leading face within the
-last step: that face would otherwise stop it with its damper, at the speed of sliding. While such a node is still in
-front of the other side, it is outside the body, and has no contact with the leading face.
+A node that has come through the leading face within the last step moves to the other side at once, if it has come as
+deep as that is far: the leading face would otherwise stop it with its damper, at the speed of sliding. While a node is
+still in front of the other side, it is outside the body, and has no contact with the leading face.
 """
 
 from vmharness.explicit.contact.geometry import at, centre, corners, size
@@ -51,11 +51,9 @@ def over_ridge(
         if dot(n, m) >= SHARP:
             continue
         if dot(away, m) >= 0.0:
-            if opposes(own, x, node, m) and not opposes(own, x, node, n):
+            if opposes(own, x, node, m):
                 return OUTSIDE
-        elif dot(away, away) < least and belongs(
-            own, maxpar, x, node, segment, height, n, m, dot(away, away)
-        ):
+        elif dot(away, away) < least and belongs(own, maxpar, x, node, segment, height, m, dot(away, away)):
             best, least = q, dot(away, away)
     return best
 
@@ -65,13 +63,13 @@ def belongs(
     # model
     own: Index, maxpar: float, x: Array,
     # node, its contact with `segment`, and another segment: normal, distance squared
-    node: Record, segment: Record, height: float, n: Vector, m: Vector, square: float,
+    node: Record, segment: Record, height: float, m: Vector, square: float,
 ) -> bool:  # fmt: skip
     """Whether a node that is behind both belongs to the other segment rather than to `segment`."""
-    nearer = square < height * height
     if node["own_from"] == node["own_to"]:
-        return nearer and -height > 0.5 * (maxpar - 1.0) * size(corners(x, segment["nodes"]))
-    return opposes(own, x, node, m) and (nearer or not opposes(own, x, node, n))
+        deep = -height > 0.5 * (maxpar - 1.0) * size(corners(x, segment["nodes"]))
+        return deep and square < height * height
+    return bool(opposes(own, x, node, m))
 
 
 @uncounted

@@ -29,7 +29,7 @@ HELD, ENDED = -1, -2  # the contact goes on; it has ended
 def track(
     # model
     segments: Records, first: Index, neighbours: Index, own: Index, maxpar: float,
-    # motion; how far a new contact has come in this step
+    # motion; how far a new contact has come in this step, negative if it has just crossed a ridge
     x: Array, reach: float,
     # node, and which of its contacts; updated
     node: Record, states: Records, k: int,
@@ -44,7 +44,7 @@ def track(
     xi, eta, out, away, n = project_node(x, segments[s], p, xi, eta)
     for crossing in range(MAX_CROSSINGS):
         inside = is_inside(out, tangent_square(x, segments[s], xi, eta), away)
-        if not inside or reach > 0.0:
+        if reach > 0.0 or (reach == 0.0 and not inside):
             height = side * dot(away, n)
             across = over_ridge(segments, first, neighbours, own, maxpar, x, node, s, height, n, reach)
             if across == OUTSIDE or (across >= 0 and is_active(states, across, node["count"])):
