@@ -28,3 +28,10 @@ def test_a_word_in_no_name_is_answered_with_near_ones(vm):
     code, _, err = vm("keywords", "MAT_ELASTIK")
     assert code == 5
     assert "*MAT_ELASTIC" in err
+
+
+def test_only_a_typing_error_is_corrected(vm):
+    _, _, err = vm("keywords", "MAT_VISCOELASTIC")
+    assert err == "vm: no keyword like MAT_VISCOELASTIC\n"
+    _, _, err = vm("keywords", "mat_elastik")
+    assert err == "vm: no keyword like mat_elastik; did you mean *MAT_ELASTIC?\n"

@@ -1,6 +1,5 @@
 """`vm keywords`: the keywords of the deck reader, and their support by a solver."""
 
-import difflib
 from typing import TYPE_CHECKING
 
 import click
@@ -25,13 +24,14 @@ def command(words: tuple[str, ...], solver: str) -> int:
     """
     from vmharness.backends import calls
     from vmharness.deck import vocabulary
+    from vmharness.deck.misspelling import misspelling_of
 
     known = {keyword.name: keyword for keyword in vocabulary().values()}
     wanted = [word.upper().lstrip("*") for word in words]
     found = [known[name] for name in sorted(known) if not words or any(word in name for word in wanted)]
     if not found:
-        near = difflib.get_close_matches(wanted[0], known, n=3, cutoff=0.4)
-        complain(f"no keyword like {words[0]}" + (f"; there is *{', *'.join(near)}" if near else ""))
+        meant = misspelling_of(wanted[0], known)
+        complain(f"no keyword like {words[0]}" + (f"; did you mean *{meant}?" if meant else ""))
         return NOTHING_SELECTED
     supported = calls.supported(solver) if words else None
     for keyword in found:
