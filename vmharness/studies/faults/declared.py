@@ -87,14 +87,13 @@ def _stays(case: Case, faulty: Case, key: str) -> bool:
     names = {case.file.events[result.event].of, result.channel} - {"time"}
     time = np.linspace(0.0, max(_end(case), _end(faulty)), SAMPLES)
     try:
-        history = History(time, {name: faulty.curve(name, time) for name in names})
-        event = find_event(case, result.event, history)
-        if isinstance(event, str):
-            return False
-        value = value_at(history, result.channel, event.time)
+        with np.errstate(all="ignore"):  # a curve may overflow where nothing is read
+            history = History(time, {name: faulty.curve(name, time) for name in names})
+            event = find_event(case, result.event, history)
+            value = np.nan if isinstance(event, str) else value_at(history, result.channel, event.time)
     except (FormulaError, HistoryError):
         return False
-    return abs(value - case.target(key)) <= AGREE * allowed_difference(case, key)
+    return bool(abs(value - case.target(key)) <= AGREE * allowed_difference(case, key))
 
 
 def _end(case: Case) -> float:
