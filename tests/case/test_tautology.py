@@ -31,6 +31,8 @@ LEVEL, ZERO = "there it is the level itself", "there it is zero"
         (CROSSED, of("x-velocity", centre="all"), of("x-momentum", centre="all"), LEVEL),
         (CROSSED, channel(energy="kinetic"), channel(energy="kinetic"), LEVEL),
         (CROSSED, of("xx-stress", solid=1), of("xx-stress", solid=1, point=1), LEVEL),
+        (CROSSED, of("axial-force", beam=1), of("axial-stress", beam=1), LEVEL),
+        (CROSSED, of("axial-force", beam=1), of("s-shear", beam=1), ""),
         (CROSSED, of("z-displacement"), of("z-velocity"), ""),
         (CROSSED, of("z-displacement"), of("x-displacement"), ""),
         (CROSSED, of("z-displacement"), of("z-displacement", node=2), ""),

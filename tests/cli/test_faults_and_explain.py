@@ -53,6 +53,9 @@ def test_a_case_that_fails_has_no_score(ball, vm, few):
 
 def test_a_result_that_no_fault_changes_is_complained_of(ball, vm, few, monkeypatch):
     monkeypatch.setattr(faults, "unmoved", lambda sound, outcomes: ["z_impact"])
+    monkeypatch.setattr(
+        faults, "unproven", lambda case, outcomes: ["Ball too heavy: v must fail, and passes"]
+    )
     ball()
     code, _, err = vm("faults", "VM-061", "-j", "1")
     assert code == 4

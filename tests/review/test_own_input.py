@@ -1,5 +1,7 @@
 """Results that read only what the deck prescribes."""
 
+from pathlib import Path
+
 import pytest
 
 from vmharness.case import read
@@ -7,8 +9,9 @@ from vmharness.case.deck import read_deck
 from vmharness.case.format import Channel
 from vmharness.deck import read as deck_of
 from vmharness.deck import vocabulary
-from vmharness.review.own_input import is_given, own_input
+from vmharness.review.own_input import by_one_name, is_given, own_input
 
+CASES = Path(__file__).parents[2] / "cases"
 NODE = "       1             0.0             0.0             0.0       0       0"
 HELD = NODE[: -len("0       0")] + "3       0"  # in z
 PRESCRIBED = "*BOUNDARY_PRESCRIBED_MOTION_NODE\n1,3,2,1\n*LOAD_BODY_Z"
@@ -87,6 +90,14 @@ def test_the_centre_of_mass_of_a_single_node_is_that_node(fall, held):
     nodes = (NODE, other[: -len("0       0")] + "7       0" if held else other)
     sentences = found(fall(("[channels]\n", f"[channels]\n{centre}{speed}"), level, velocity, nodes))
     assert len(sentences) == held
-    assert all(
-        "v and c are motions of the same node: there it is the level itself" in each for each in sentences
-    )
+    assert all("v and c are the same quantity: there it is the level itself" in each for each in sentences)
+
+
+def test_all_supports_are_the_only_one_and_the_only_part_is_the_model(fall):
+    deck = read_deck(read(fall((NODE, f"{NODE}\n{NODE[:-9].replace('1', '2', 1)}7       0"))))
+    force = Channel(text="", support="all", component="z-force")
+    assert by_one_name(deck, force) == Channel(text="", support=2, component="z-force")
+    part = Channel(text="", energy="internal", part=1)
+    assert by_one_name(deck, part) == part  # the deck has none
+    bar = read_deck(read(CASES / "VM-085"))
+    assert by_one_name(bar, part) == Channel(text="", energy="internal")

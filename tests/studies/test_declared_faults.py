@@ -76,8 +76,8 @@ def test_a_fault_that_moves_only_the_level_is_none(fall):
     two = (("[channels]\n", f"[channels]\n{other}"), ("[curves]\n", f"[curves]\n{curve}"))
     (displacement, *_) = review(read(fall(*two, ('at = "T"', level))))
     assert displacement == (
-        "[faults] 1 (Gravity 0.1 % too strong): z_T must fail, but only the level of its event moves: "
-        "where the faulty run reaches the sound level, it has the sound value"
+        "[faults] 1 (Gravity 0.1 % too strong): z_T must fail, but "
+        "where the curves of the faulty theory have its event, it has the sound value"
     )
 
 
@@ -93,3 +93,31 @@ def test_a_fault_that_is_seen_at_a_moving_level_is_one(fall):
     case = read(fall(level, time, energy, kinetic))
     assert review(case) == []
     assert moves(case, case.file.faults[0])["z_T"] is None  # by the targets alone it cannot be told
+
+
+SPEED = ("[channels]\n", '[channels]\nv = { node = 1, component = "z-velocity", text = "Velocity" }\n')
+CURVES = (
+    "[curves]\n",
+    '[curves]\nv = { formula = "-g*t", text = "v" }\nkinetic = { formula = "m*(g*t)^2/2", text = "T" }\n',
+)
+ENERGY = ('must_fail = ["z_T", "ke_T"]', 'must_fail = ["ke_T"]')
+
+
+@pytest.mark.parametrize("level", ["-g*T", "v_T"])
+def test_the_kinetic_energy_at_a_velocity_tells_nothing_of_gravity(fall, level):
+    # m v^2/2 at the level of v: whatever gravity is, and also where the level is a datum of its own
+    given = (
+        "[given]\n",
+        '[given]\nv_T = { value = -4.905, unit = "m/s", group = "Loading", text = "Velocity" }\n',
+    )
+    event = ('at = "T"', f'crossing_of = "v", level = "{level}", direction = "down"')
+    unseen = (
+        "ke_T must fail, but where the curves of the faulty theory have its event, it has the sound value"
+    )
+    assert unseen in review(read(fall(given, SPEED, CURVES, event, ENERGY)))[0]
+
+
+def test_without_curves_it_cannot_be_told(fall):
+    event = ('at = "T"', 'crossing_of = "v", level = "-g*T", direction = "down"')
+    (sentence, *_) = review(read(fall(SPEED, event, ENERGY)))
+    assert "add [curves] of kinetic and v to tell what is read there" in sentence

@@ -22,6 +22,7 @@ from vmharness.studies.faults.runs import (
     record,
     solver_faults,
     unmoved,
+    unproven,
 )
 from vmharness.studies.gather import gather
 from vmharness.studies.measured import Measured, Value
@@ -143,6 +144,28 @@ def test_the_record_names_it_but_for_faults_of_the_reading():
     assert record(case, SOUND, [deck, deck], outcomes).unmoved == []
 
 
+def test_declared_faults_are_planted_in_the_deck_alone(ball):
+    declared = {fault.name: fault for fault in deck_faults.declared_faults(ball)}
+    assert set(declared) == {fault.text for fault in ball.file.faults}
+    stronger = declared["Gravity 0.1 % too strong"].variant.case
+    assert stronger.deck_parameters()["G"] == pytest.approx(386.386)
+    assert stronger.target("t_impact") == ball.target("t_impact")
+
+
+def test_a_declared_fault_fails_what_it_must():
+    case = read(CASES / "VM-061")
+    fault = case.file.faults[0]  # of t_peak and z_peak
+
+    def proven(**others):
+        verdicts = {"t_peak": "fail", "z_peak": "pass"}
+        results = {key: Value(1.0, 1.1, 2.0, verdict) for key, verdict in verdicts.items()}
+        return unproven(case, {fault.text: replace(Measured(results), **others)})
+
+    assert proven() == [f"{fault.text}: z_peak must fail, and passes"]
+    assert proven(failure="the run diverged") == []
+    assert proven(failure="killed", lost=True) == [f"{fault.text}: could not be judged: killed"]
+
+
 def test_a_run_that_is_ended_from_outside_is_not_judged():
     killed = one(Measured(failure="the worker process ended: killed by SIGKILL", lost=True))
     assert (killed.noticed, killed.reason) == (
@@ -197,7 +220,7 @@ def test_a_wrong_unit_of_a_mesh_that_has_no_end_is_no_fault_to_plant(tmp_path):
     most = deck_faults.LARGEST * len(solid.deck_source())
     long = replace(solid, mesh_overrides={"L": 1000.0 * solid.mesh_parameters()["L"]})
     with pytest.raises(
-        CaseError, match=r"deck\.k\.j2: the deck has more than .* characters: its mesh is too fine"
+        CaseError, match=r"deck\.k\.j2:\d+: the deck has more than .* characters: its mesh is too fine"
     ):
         long.deck_source(most)
     began = time.monotonic()

@@ -21,6 +21,7 @@ DERIVATIVES = {
     "impulse": ("impulse", 0),
     "force": ("impulse", 1),
 }
+MULTIPLES = {"axial-stress": "axial-force"}  # of an element, by constants of its section
 ENDING = ("x-force", "y-force", "z-force", "area", "nodes")  # of a contact: zero when it is over
 
 
@@ -59,6 +60,7 @@ def _owner(channel: Channel) -> tuple[object, ...]:
 def _derivative(channel: Channel) -> tuple[str, int]:
     """The quantity, along its axis, that the channel is a derivative of, and of which order."""
     name = channel.energy or channel.component or ""
+    name = MULTIPLES.get(name, name)
     axis, _, quantity = name.partition("-")
     base, order = DERIVATIVES.get(quantity, (quantity, 0))
     return f"{axis} {base}", order

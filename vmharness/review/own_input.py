@@ -7,9 +7,11 @@ from vmharness.case import Case
 from vmharness.case.format import Channel, Result
 from vmharness.case.tautology import DERIVATIVES, tautology
 from vmharness.deck import Deck
+from vmharness.deck.keywords.part import PART, PART_CONTACT
 from vmharness.mesh.driven import driven, driven_bodies
 from vmharness.mesh.nodes import nodes_of
 from vmharness.mesh.sets import nodes_of_parts
+from vmharness.mesh.supports import supported
 
 AXES = ("x", "y", "z")
 OFFSETS = {"position": 0, "angle": 3}  # of the degrees of freedom of translation and rotation
@@ -38,9 +40,9 @@ def _known(case: Case, deck: Deck, result: Result, given: set[str]) -> str:
         return f"{read} is held or prescribed by the deck: read a force, or another place"
     if not event.of or result.channel == "time":
         return ""
-    seen, other = (_of_node(deck, case.file.channels[name]) for name in (event.of, read))
+    seen, other = (by_one_name(deck, case.file.channels[name]) for name in (event.of, read))
     why = tautology(event, seen, other)
-    return f"{read} and {event.of} are motions of the same node: {why}" if why else ""
+    return f"{read} and {event.of} are the same quantity: {why}" if why else ""
 
 
 def is_given(deck: Deck, channel: Channel) -> bool:
@@ -64,19 +66,26 @@ def is_given(deck: Deck, channel: Channel) -> bool:
     return False
 
 
-def _of_node(deck: Deck, channel: Channel) -> Channel:
-    """The channel of a centre of mass as that of a node, where only one of its nodes moves along the axis."""
+def by_one_name(deck: Deck, channel: Channel) -> Channel:
+    """The channel as that of a node or of the whole model, where the deck makes these the same.
+
+    So are the centre of mass of a single node that moves and that node, all supports and a single one, the energy of a
+    single part and that of the model.
+    """
+    if channel.energy is not None:
+        return structs.replace(channel, part=None) if len(deck.all(PART, PART_CONTACT)) == 1 else channel
+    nodes = nodes_of(deck)
+    if channel.support == "all":
+        held = nodes.ids[supported(deck, nodes).any(axis=1)]
+        return structs.replace(channel, support=int(held[0])) if held.size == 1 else channel
     axis, _, quantity = (channel.component or "").partition("-")
     if channel.centre is None or axis not in AXES or quantity not in DERIVATIVES:
         return channel
-    nodes = nodes_of(deck)
     rows = np.arange(nodes.ids.size)
     if isinstance(channel.centre, int):
         rows = nodes_of_parts(deck, nodes, {channel.centre})
-    moving = rows[~driven(deck, nodes)[rows, AXES.index(axis)]]
-    return (
-        structs.replace(channel, centre=None, node=int(nodes.ids[moving[0]])) if moving.size == 1 else channel
-    )
+    moving = nodes.ids[rows[~driven(deck, nodes)[rows, AXES.index(axis)]]]
+    return structs.replace(channel, centre=None, node=int(moving[0])) if moving.size == 1 else channel
 
 
 def _is_fixed_wall(deck: Deck, number: int) -> bool:

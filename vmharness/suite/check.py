@@ -26,6 +26,7 @@ def check(folder: Path, errors: Mapping[str, float] | None = None, solver: str =
     `errors`: how far its results were from their targets when last run, as fractions, by key.
     """
     from vmharness.case import CaseError, tolerance
+    from vmharness.report import prose
     from vmharness.review.published import unexplained
 
     review = Review()
@@ -33,6 +34,7 @@ def check(folder: Path, errors: Mapping[str, float] | None = None, solver: str =
         case = read_case(Entry(folder))
         review.wrong += refused(case)
         review.wrong += changed_values(case)
+        review.wrong += prose.review(case)
         _, loose = tolerance.review(case)
         review.doubtful += [*loose, *tolerance.review_measured(case, errors or {}), *unexplained(case)]
         review.wrong += _solver(case, solver)
@@ -44,9 +46,9 @@ def check(folder: Path, errors: Mapping[str, float] | None = None, solver: str =
 
 
 def accepted(entry: Entry) -> "Case":
-    """Read a case; raises CaseError for everything that `check` finds wrong without a solver, but for changed values.
+    """Read a case; raises CaseError for everything that `check` finds wrong without a solver, but for two things.
 
-    A deck with changed values runs: it must fail the case.
+    A deck with changed values runs, and must fail the case. A page shows of the prose what it can.
     """
     from vmharness.case import CaseError
 
@@ -61,13 +63,12 @@ def refused(case: "Case") -> list[str]:
     from vmharness.case import tolerance
     from vmharness.case.deck import read_deck
     from vmharness.deck import DeckError
-    from vmharness.report import prose
     from vmharness.review.own_input import own_input
     from vmharness.review.run_length import intervals, outside_run
     from vmharness.studies.faults import declared as faults
 
     tight, _ = tolerance.review(case)
-    wrong = [*tight, *faults.review(case), *prose.review(case)]
+    wrong = [*tight, *faults.review(case)]
     with suppress(DeckError):  # the solver says so
         deck = read_deck(case)
         wrong += [*own_input(case, deck), *outside_run(case, deck), *intervals(case, deck)]

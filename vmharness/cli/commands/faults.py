@@ -56,8 +56,11 @@ def command(
         complain(
             f"{result}: no fault of deck or solver changes its value: this result cannot disagree with its target"
         )
+    unproven = [f"{found.case}: {sentence}" for found in detections for sentence in found.unproven]
+    for sentence in unproven:
+        complain(sentence)
     statuses = [Status.UNJUDGED] * (unjudged + len(lost))
-    statuses += [Status.BROKEN] * (len(broken) + len(unknown) + len(blind))
+    statuses += [Status.BROKEN] * (len(broken) + len(unknown) + len(blind) + len(unproven))
     return exit_code(statuses) if statuses else EXIT_CODES[Status.PASS]
 
 

@@ -40,6 +40,7 @@ def section(content: bytes, case: Case) -> Section:
             f"No fault of deck or solver changes the value of {', '.join(found.unmoved)}: "
             "this cannot disagree with its target."
         )
+    text += [f"Declared fault: {sentence}." for sentence in found.unproven]
     tables = [table for table in (_parameters(found), _others(found)) if table.rows]
     return Section(
         "Planted faults", score(found), text, tables, remarks=_remarks(found), folded=_unseen(found)

@@ -15,12 +15,14 @@ from vmharness.case.format import RUN_LENGTH
 from vmharness.case.template import MOST
 from vmharness.deck import Deck, DeckError, Entry
 from vmharness.studies.changed_deck import with_entries
+from vmharness.studies.faults.declared import faulty_data
 from vmharness.studies.variant import Variant
 
 PERCENTS = (0.1, -0.1, 1.0, -1.0, 5.0, -5.0)
 OTHER_SIGN = "with the opposite sign"
 SLIP = 1000.0  # factor of a wrong unit
 LARGEST = 20  # a wrong unit may make the deck at most so many times as long: a longer run is not waited for
+DECLARED = "declared"  # kind of a fault that the case declares
 MODEL = "Model"  # group of the data of the model, which are not data of the problem
 
 
@@ -49,6 +51,16 @@ def parameter_faults(case: Case, cycles: int) -> list[CaseFault]:
         if not is_of_model(case, f"mesh {name}"):
             found += _wrong(name, value, _mesh(case, name), cycles, most)
     return found
+
+
+def declared_faults(case: Case) -> list[CaseFault]:
+    """The faults that the case declares, in its deck alone."""
+    return [
+        CaseFault(
+            fault.text, fault.text, DECLARED, Variant(case.with_deck_of(faulty_data(case, fault)), fault.text)
+        )
+        for fault in case.file.faults
+    ]
 
 
 def support_faults(case: Case) -> list[CaseFault]:

@@ -10,7 +10,7 @@ from vmharness.case import Case, CaseError
 from vmharness.case.format import RUN_LENGTH, Fault
 from vmharness.case.settings import changed_value
 from vmharness.case.tolerance import allowed_difference
-from vmharness.formula import FormulaError
+from vmharness.formula import FormulaError, Unit
 from vmharness.history import History, HistoryError
 from vmharness.measure import find_event, value_at
 from vmharness.round_off import AGREE, ROUND_OFF
@@ -61,11 +61,15 @@ def review(case: Case) -> list[str]:
 
 def _weakness(case: Case, fault: Fault, key: str, move: Move | None) -> str:
     """Why a fault does not make a result fail, or nothing."""
-    if move is not None:
-        small = f"by theory it changes by only {move.tolerances:.2g} of its tolerance"
-        return "" if move.tolerances > 1.0 else small
-    if _stays(case, fault, key):
-        return "only the level of its event moves: where the faulty run reaches the sound level, it has the sound value"
+    if move is not None and not move.tolerances > 1.0:
+        return f"by theory it changes by only {move.tolerances:.2g} of its tolerance"
+    event, channel = case.file.events[case.result(key).event], case.result(key).channel
+    unknown = {event.of, channel} - {"time", *case.file.curves}
+    if event.of and not unknown and _stays(case, case.with_given(faulty_data(case, fault)), key):
+        return "where the curves of the faulty theory have its event, it has the sound value"
+    if event.of and unknown and move is None and channel != "time":
+        needed = " and ".join(sorted(unknown))
+        return f"the level of its event moves with the fault: add [curves] of {needed} to tell what is read there"
     return ""
 
 
@@ -77,25 +81,26 @@ def faulty_data(case: Case, fault: Fault) -> dict[str, float]:
     }
 
 
-def _stays(case: Case, fault: Fault, key: str) -> bool:
-    """Whether a result keeps its value where the curves of the faulty theory reach the sound level."""
-    value = _read(case, case.with_given(faulty_data(case, fault)), key)
-    return value is not None and abs(value - case.target(key)) <= AGREE * allowed_difference(case, key)
-
-
-def _read(case: Case, faulty: Case, key: str) -> float | None:
-    """The value of a result at its event of the sound theory, read in the curves of the faulty one."""
-    result, end = case.result(key), max(case.values.get(RUN_LENGTH, 0.0), faulty.values.get(RUN_LENGTH, 0.0))
+def _stays(case: Case, faulty: Case, key: str) -> bool:
+    """Whether a result has its sound value at the event that is found in the curves of the faulty theory."""
+    result = case.result(key)
     names = {case.file.events[result.event].of, result.channel} - {"time"}
-    if not (end > 0.0 and names <= case.file.curves.keys()):
-        return None
-    time = np.linspace(0.0, end, SAMPLES)
+    time = np.linspace(0.0, max(_end(case), _end(faulty)), SAMPLES)
     try:
-        history = History(time, {name: faulty.curve(name, time) for name in names})
-        event = find_event(case, result.event, history)
-        return None if isinstance(event, str) else value_at(history, result.channel, event.time)
+        with np.errstate(all="ignore"):  # a curve may overflow where nothing is read
+            history = History(time, {name: faulty.curve(name, time) for name in names})
+            event = find_event(case, result.event, history)
+            value = np.nan if isinstance(event, str) else value_at(history, result.channel, event.time)
     except (FormulaError, HistoryError):
-        return None
+        return False
+    return bool(abs(value - case.target(key)) <= AGREE * allowed_difference(case, key))
+
+
+def _end(case: Case) -> float:
+    """The end of the run by theory; without a line for it, twice the largest time that theory has."""
+    dimension = Unit(case.file.units.time).dimension
+    times = [value for name, value in case.values.items() if case.dimensions[name] == dimension]
+    return case.theory.get(RUN_LENGTH, 2.0 * max(times, default=0.0))
 
 
 def _move(case: Case, faulty: Case, key: str) -> Move | None:

@@ -39,9 +39,8 @@ class FaultsRecord:
     case_sha256: str  # of its inputs
     findings: list[Finding] = field(default_factory=list)
     made_by: Maker | None = None  # None in records of before it was kept
-    unmoved: list[str] = field(
-        default_factory=list
-    )  # keys of results that no fault of deck or solver changes
+    unmoved: list[str] = field(default_factory=list)  # keys of results that no fault changes
+    unproven: list[str] = field(default_factory=list)  # declared faults that do not fail what they must
 
     @property
     def caught(self) -> int:

@@ -1,6 +1,6 @@
 """Runs with planted faults in the deck and in the solver, and the record of which faults are caught."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -10,8 +10,10 @@ from vmharness.case.deck import read_deck
 from vmharness.round_off import ROUND_OFF
 from vmharness.studies.faults import plant
 from vmharness.studies.faults.deck_faults import (
+    DECLARED,
     OTHER_SIGN,
     CaseFault,
+    declared_faults,
     is_of_model,
     parameter_faults,
     support_faults,
@@ -38,6 +40,7 @@ def all_faults(case: Case, sound: Measured, solver: str = "builtin") -> list[Cas
     return [
         *parameter_faults(case, LONGEST * sound.cycles),
         *support_faults(case),
+        *declared_faults(case),
         *solver_faults(case, solver),
     ]
 
@@ -65,7 +68,9 @@ def record(
     solver: str = "builtin",
 ) -> FaultsRecord:
     """The record of all faults of a case; faults that its deck cannot show are not run, and count as unseen."""
-    found = [finding(fault, sound, outcome) for fault, outcome in zip(faults, outcomes, strict=True)]
+    pairs = list(zip(faults, outcomes, strict=True))
+    found = [finding(fault, sound, outcome) for fault, outcome in pairs if fault.kind != DECLARED]
+    promised = {fault.name: outcome for fault, outcome in pairs if fault.kind == DECLARED}
     run = {fault.name for fault in faults}
     unseen = [fault for fault in planted_in(solver) if fault.name not in run]
     found += [Finding(fault.name, fault.text, fault.kind, Noticed.UNSEEN) for fault in unseen]
@@ -76,8 +81,30 @@ def record(
         else one
         for one in found
     ]
-    own = [outcome for fault, outcome in zip(faults, outcomes, strict=True) if fault.kind != "reading"]
-    return FaultsRecord(case.id, case.inputs_sha256, found, maker([sound]), unmoved(sound, own))
+    own = [outcome for fault, outcome in pairs if fault.kind != "reading"]
+    return FaultsRecord(
+        case=case.id,
+        case_sha256=case.inputs_sha256,
+        findings=found,
+        made_by=maker([sound]),
+        unmoved=unmoved(sound, own),
+        unproven=unproven(case, promised),
+    )
+
+
+def unproven(case: Case, outcomes: Mapping[str, Measured]) -> list[str]:
+    """Sentences on declared faults, by their text, that do not fail what they must, or could not be judged."""
+    sentences = []
+    for fault in case.file.faults:
+        outcome = outcomes.get(fault.text)
+        if outcome is None or (outcome.failure and not outcome.lost):
+            continue
+        if outcome.lost:
+            sentences.append(f"{fault.text}: could not be judged: {outcome.failure}")
+            continue
+        passed = [key for key in fault.must_fail if outcome.results[key].verdict == "pass"]
+        sentences += [f"{fault.text}: {key} must fail, and passes" for key in passed]
+    return sentences
 
 
 def unmoved(sound: Measured, outcomes: Sequence[Measured]) -> list[str]:
