@@ -47,6 +47,8 @@ def test_a_sum_without_end_is_refused(ball):
         (b"a = 1\nx = '\xe9'", r"ball/case.toml:2: the byte 0xe9 is not UTF-8"),
         (b"a = 1\nx = '\0'", r"ball/case.toml: not TOML"),
         (b"#" * 2_000_000, r"ball/case.toml: longer than 1000000 bytes"),
+        (b"x = 1\n" + 20_000 * b"a." + b"a = 1", r"ball/case.toml:2: a key of more than 100 parts"),
+        (b"x = 1\n[" + 20_000 * b"'a b' . " + b"a]", r"ball/case.toml:2: a key of more than 100 parts"),
         (b"title = 1", r"ball/case.toml: \[title\]: Expected `str`, got `int`"),
     ],
 )
@@ -88,5 +90,5 @@ def test_a_pipe_in_place_of_the_file(ball):
     folder = ball()
     (folder / "case.toml").unlink()
     os.mkfifo(folder / "case.toml")
-    with pytest.raises(CaseError, match=r"case\.toml is not a file"):
+    with pytest.raises(CaseError, match=r"ball/case\.toml: not a file"):
         read(folder)

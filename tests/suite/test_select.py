@@ -1,3 +1,4 @@
+import os
 from pathlib import Path
 
 import pytest
@@ -108,3 +109,15 @@ def test_the_folder_chosen_then_the_one_here_then_that_of_the_package(folder, tm
     assert (cases_folder() / "VM-061" / "case.toml").is_file()
     with pytest.raises(SelectError, match="no folder nowhere"):
         cases_folder(Path("nowhere"))
+
+
+@pytest.mark.parametrize(
+    "content", [20_000 * b"a." + b"a = 1", b"x = " + 20_000 * b"[", b"#" * 2_000_000, b"\xff", None]
+)
+def test_a_file_that_cannot_be_parsed_in_bounded_time_has_no_title(tmp_path, content):
+    (tmp_path / "a").mkdir()
+    if content is None:
+        os.mkfifo(tmp_path / "a" / "case.toml")
+    else:
+        (tmp_path / "a" / "case.toml").write_bytes(content)
+    assert entries(tmp_path) == [Entry(tmp_path / "a")]

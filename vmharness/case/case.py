@@ -186,10 +186,10 @@ def evaluate_theory(
     case: str, file: CaseFile, given: Mapping[str, float], formulas: Mapping[str, Formula]
 ) -> dict[str, float]:
     """Evaluate the lines of the theory in order; raises CaseError with the line that has no value."""
-    theory: dict[str, float] = {}
+    values = dict(given)
     for name in file.theory:
         try:
-            theory[name] = float(formulas[name].evaluate({**given, **theory}))
+            values[name] = float(formulas[name].evaluate(values))
         except FormulaError as error:
             raise CaseError(f"{case}: [theory] {name}: {error}") from None
-    return theory
+    return {name: values[name] for name in file.theory}

@@ -58,7 +58,7 @@ class Checks:
         self, place: str, name: str, text: str, extra: Mapping[str, Dimension] | None = None
     ) -> Dimension:
         """Parse a formula, check its units, and keep it as `name`."""
-        known = {**self.dimensions, **(extra or {})}
+        known = {**self.dimensions, **extra} if extra else self.dimensions
         try:
             formula = Formula(text)
             for free in sorted(formula.names - known.keys()):

@@ -8,11 +8,11 @@ from typing import Any
 
 import msgspec
 
+from vmharness import toml
 from vmharness.case.error import CaseError, near
 from vmharness.case.format import CaseFile
 
 FILE = "case.toml"
-MOST = 10**6  # bytes: the longest of the manual have some thousands
 DIGITS = 4300  # of a whole number that Python reads
 LONG = re.compile(rf"\d{{{DIGITS + 1}}}")
 
@@ -20,8 +20,12 @@ LONG = re.compile(rf"\d{{{DIGITS + 1}}}")
 def decode(path: Path) -> CaseFile:
     """The tables of the file at `path`; raises CaseError if it is missing, is not TOML or does not fit the format."""
     place = f"{path.parent.name}/{FILE}"
-    content = content_of(path)
-    text = utf8(content, place)
+    try:
+        text = toml.text_of(path)
+    except OSError as error:
+        raise CaseError(f"{path.parent.name}: no {FILE} can be read: {error.strerror}") from None
+    except toml.TomlError as error:
+        raise CaseError(f"{place}:{error}") from None
     try:
         return msgspec.toml.decode(text, type=CaseFile)
     except msgspec.ValidationError as error:
@@ -36,27 +40,12 @@ def decode(path: Path) -> CaseFile:
         raise CaseError(f"{place}:{_line(error)}: a whole number of more than {DIGITS} digits") from None
 
 
-def content_of(path: Path) -> bytes:
-    """The bytes of a case.toml; raises CaseError if it is missing, no file or much too long."""
-    id = path.parent.name
-    try:
-        if path.exists() and not path.is_file():
-            raise CaseError(f"{id}: {FILE} is not a file")
-        if path.stat().st_size > MOST:
-            raise CaseError(f"{id}/{FILE}: longer than {MOST} bytes")
-        return path.read_bytes()
-    except OSError as error:
-        raise CaseError(f"{id}: no {FILE} can be read: {error.strerror}") from None
-
-
 def utf8(content: bytes, place: str) -> str:
     """The text of a file; raises CaseError with the line that is not UTF-8."""
     try:
-        return content.decode("utf-8")
-    except UnicodeDecodeError as error:
-        line = content.count(b"\n", 0, error.start) + 1
-        wrong = f"the byte 0x{content[error.start]:02x} is not UTF-8; save the file as UTF-8"
-        raise CaseError(f"{place}:{line}: {wrong}") from None
+        return toml.utf8(content)
+    except toml.TomlError as error:
+        raise CaseError(f"{place}:{error}") from None
 
 
 def _line(error: Exception) -> int:

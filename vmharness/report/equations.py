@@ -22,7 +22,7 @@ def theory(line: TheoryLine, page: Page) -> str:
     """LaTeX: symbol = formula = formula with values = value unit; a curve over time ends with its formula."""
     if line.value is None:
         return equation(line.name, line.formula)
-    return equation(line.name, line.formula, short(line.value), line.unit, values=_values(page))
+    return equation(line.name, line.formula, short(line.value), line.unit, values=_values(line, page))
 
 
 def theory_pieces(line: TheoryLine, page: Page) -> Pieces:
@@ -30,15 +30,21 @@ def theory_pieces(line: TheoryLine, page: Page) -> Pieces:
     if line.value is None:
         parts = pieces(line.name, line.formula)
     else:
-        parts = pieces(line.name, line.formula, short(line.value), line.unit, values=_values(page))
+        parts = pieces(line.name, line.formula, short(line.value), line.unit, values=_values(line, page))
     widths = [ems(part) for part in parts]
     sized = [f' displaystyle="true" style="--ems: {width}"' for width in widths]
     inline = [part.replace(' display="block"', size) for part, size in zip(parts, sized, strict=True)]
     return Pieces(inline, max(widths) > LONG)
 
 
-def _values(page: Page) -> dict[str, str]:
-    return {name: short(value) for name, value in page.run.case.values.items()}
+def _values(line: TheoryLine, page: Page) -> dict[str, str]:
+    """The values of the names in a line."""
+    case = page.run.case
+    return {
+        name: short(values[name])
+        for values in (case.given, case.theory)
+        for name in line.formula.names & values.keys()
+    }
 
 
 def datum(datum: Datum, notation: str) -> str:

@@ -10,12 +10,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import vmharness
+from vmharness.toml import text_of
 
 if TYPE_CHECKING:
     from vmharness.case import Case
 
 FILE = "case.toml"
-MOST = 10**6  # bytes of it
 
 
 class SelectError(ValueError):
@@ -71,19 +71,12 @@ def entries(folder: Path) -> list[Entry]:
 def entry(folder: Path) -> Entry:
     """Title and tags of a case; empty for a file that is not TOML, which is an error when the case is read."""
     try:
-        table = tomllib.loads(_text(folder / FILE))
+        table = tomllib.loads(text_of(folder / FILE))
     except (OSError, ValueError, RecursionError, MemoryError):
         table = {}
     tags = table.get("tags", ())
     known = tuple(map(str, tags)) if isinstance(tags, list) else ()
     return Entry(folder, str(table.get("title", "")), known)
-
-
-def _text(path: Path) -> str:
-    """The content of a file; ValueError if it is a pipe or device, which has no end, or is too long for a case."""
-    if not path.is_file() or path.stat().st_size > MOST:
-        raise ValueError(f"{path} is no file of at most {MOST} bytes")
-    return path.read_text(encoding="utf-8")
 
 
 def read_case(case: Entry) -> "Case":
