@@ -307,7 +307,7 @@ def test_index_puts_the_worst_first(good, failed, broken, tmp_path):
     runs = [renamed(good, "VM-1"), renamed(failed, "VM-2"), renamed(broken, "VM-3")]
     write_index(runs, tmp_path)
     text = (tmp_path / "README.md").read_text()
-    rows = table_after(text, "vmharness")
+    rows = table_after(text, "Cases solved by vmharness")
     assert [row[0] for row in rows[2:]] == [
         f"[{name}]({name}/README.md)" for name in ("VM-3", "VM-2", "VM-1")
     ]
@@ -320,7 +320,7 @@ def test_index_counts_and_names_the_cases_without_a_run_first(good, tmp_path):
     write_index([good], tmp_path, [Unrun("VM-9", "deck <b>"), Unrun("VM-8", "interrupted")])
     text = (tmp_path / "README.md").read_text()
     assert "3 cases: 1 ✓ pass, 2 ! error" in text
-    assert "- VM-8: interrupted\n- VM-9: deck &lt;b>\n\n## vmharness" in text
+    assert "- VM-8: interrupted\n- VM-9: deck &lt;b>\n\n## Cases solved by vmharness" in text
     html = (tmp_path / "index.html").read_text()
     assert html.index("deck &lt;b&gt;") < html.index(">VM-061<")
     assert Page(html).open == []

@@ -10,6 +10,7 @@ from vmharness.case.format import Published
 from vmharness.report import number
 from vmharness.report.blocks import Section, Table
 from vmharness.report.figures.characters import unit
+from vmharness.report.figures.curves import time_factor, time_unit
 from vmharness.result import CaseRun, Reading
 
 
@@ -37,9 +38,8 @@ def _read(run: CaseRun, column: Published, read: tuple[Reading, ...]) -> str:
     same = [reading for reading in read if reading.same]
     other = [reading for reading in read if not reading.same and reading.other_same]
     rest = [_name(run, reading) for reading in read if not (reading.same or reading.other_same)]
-    time = run.case.file.units.time
     sentences = [
-        f"The {column.name} column agrees with values that are read from states {number.short(column.interval)} {time} "
+        f"The {column.name} column agrees with values that are read from states {_time(run, column.interval)} "
         "apart. Each state is the last cycle up to its nominal time. An onset is the first state with contact, and an "
         "extremum is the state with the largest or smallest value; nothing is interpolated.",
         f"Read in this way, this run gives {_count(same, read)} figures of the {column.name} column.",
@@ -49,7 +49,7 @@ def _read(run: CaseRun, column: Published, read: tuple[Reading, ...]) -> str:
             "The distance of these figures from theory comes from the reading, not from a solver."
         )
     sentences += [
-        f"{_name(run, reading)} agrees with the value of this run at exactly {number.short(reading.other[0])} {time}."
+        f"{_name(run, reading)} agrees with the value of this run at exactly {_time(run, reading.other[0])}."
         for reading in other
         if reading.other
     ]
@@ -64,14 +64,13 @@ def _count(some: list[Reading], every: tuple[Reading, ...]) -> str:
 
 def _table(run: CaseRun, column: Published, read: tuple[Reading, ...]) -> Table:
     """Each figure beside the value of this run, read in the same way."""
-    time = run.case.file.units.time
     head = [
         "Result",
         "Target",
         column.name,
         "Error (%)",
         "This run",
-        f"Time of the state ({time})",
+        f"Time of the state ({time_unit(run.case)})",
     ]
     return Table([*head, "Same digits?"], [_row(run, reading) for reading in read], words=1)
 
@@ -81,17 +80,21 @@ def _row(run: CaseRun, reading: Reading) -> list[str]:
     same = _yes(reading.same)
     if reading.other:
         at, value = reading.other
-        time = f"{number.short(at)} {run.case.file.units.time}"
-        same += f"; at exactly {time}: {number.significant(value)}, {_yes(reading.other_same)}"
+        same += f"; at exactly {_time(run, at)}: {number.significant(value)}, {_yes(reading.other_same)}"
     return [
         f"{_name(run, reading)} ({unit(reading.unit)})" if reading.unit else _name(run, reading),
         number.significant(reading.target),
         reading.published,
         number.positional(error, 2),
         number.significant(reading.read),
-        number.significant(reading.at),
+        number.significant(reading.at / time_factor(run.case)),
         same,
     ]
+
+
+def _time(run: CaseRun, time: float | None) -> str:
+    """A time in the unit of the results that are times."""
+    return f"{number.short(None if time is None else time / time_factor(run.case))} {time_unit(run.case)}"
 
 
 def _yes(same: bool) -> str:

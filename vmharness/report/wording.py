@@ -12,6 +12,12 @@ from vmharness.round_off import ROUND_OFF, rounded
 from vmharness.studies.sensitivity import DIGITS, PLACES, Sensitivity, smallest_seen
 
 VISIBLE = 200  # a tolerance of so many times round-off, of which that is half a percent
+TARGETS = {
+    "analytic": "analytic solution",
+    "semi-analytic": "semi-analytic solution",
+    "other code": "results of another code",
+    "published": "published values",
+}
 SIGNS = {
     Verdict.PASS: "✓",
     Verdict.FAIL: "✗",
@@ -19,6 +25,15 @@ SIGNS = {
     Verdict.UNREPORTED: "–",
     Verdict.UNREPRESENTABLE: "–",
 }
+
+
+def targets(kind: str) -> str:
+    """The origin of the targets in words.
+
+    >>> targets("analytic"), targets("other code")
+    ('analytic solution', 'results of another code')
+    """
+    return TARGETS[kind]
 
 
 def sign(verdict: Verdict) -> str:

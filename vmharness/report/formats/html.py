@@ -9,6 +9,7 @@ from vmharness import __version__
 from vmharness.events import Event
 from vmharness.formula import Unit
 from vmharness.report import equations, escape, machine, number, prose, wording
+from vmharness.report.figures.curves import time_factor, time_unit
 from vmharness.report.index import Index
 from vmharness.report.page import Page
 from vmharness.report.templates import render
@@ -76,12 +77,11 @@ def provenance(run: CaseRun) -> dict[str, str]:
 
 
 def _events(run: CaseRun) -> dict[str, str]:
-    """The time of each event and its uncertainty by sampling."""
-    unit = run.case.file.units.time
+    """The time of each event and its uncertainty by sampling, in the unit of the results that are times."""
+    unit, factor = time_unit(run.case), time_factor(run.case)
     return {
-        run.case.file.events[
-            name
-        ].title: f"{event.time:.9g} {unit} ± {event.uncertainty:.1g} {unit} by sampling"
+        run.case.file.events[name].title: f"{event.time / factor:.9g} {unit} "
+        f"± {event.uncertainty / factor:.1g} {unit} by sampling"
         for name, event in run.events.items()
         if isinstance(event, Event)
     }
