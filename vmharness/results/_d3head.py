@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from vmharness.results._lines import ResultError
 
 END = -999999.0
+TITLES = {90001: 19, 90002: 19, 90100: 20}  # words of a part, a contact, a line of the deck
 KINDS = (1, 5)  # word 11: d3plot, d3part
 CONTROL = {
     "ndim": 15, "numnp": 16, "nglbv": 18, "it": 19, "iu": 20, "iv": 21, "ia": 22, "nel8": 23, "nv3d": 27, "nel2": 28,
@@ -17,6 +18,17 @@ CONTROL = {
     "nv3dt": 42, "ioshl1": 43, "ioshl2": 44, "ialemat": 47, "ncfdv1": 48, "nadapt": 50, "nmmat": 51, "npefg": 54,
     "nel48": 55, "idtdt": 56, "extra": 57,
 }  # fmt: skip
+FLAGS = (
+    "ndim",
+    "it",
+    "iu",
+    "iv",
+    "ia",
+    "maxint",
+    "ioshl1",
+    "ioshl2",
+    "idtdt",
+)  # control words that count nothing
 NOT_READ = {"nmsph": "SPH", "ncfdv1": "CFD", "nadapt": "adapted elements", "npefg": "particles of airbags"}
 
 
@@ -66,12 +78,18 @@ def model_of(file: BinaryIO, name: str) -> Model:
     for each, what in NOT_READ.items():
         if control[each]:
             raise ResultError(f"{name}: has {what}, which are not read")
+    most = file.seek(0, 2) // words.size
+    for each, count in control.items():
+        if each not in FLAGS and (abs(count) > most or (count < 0 and each != "nel8")):
+            raise ResultError(
+                f"{name}: {each.upper()} is {count} in the control words, of a file of {most} words"
+            )
     if control["ndim"] not in (4, 5, 7):
         raise ResultError(f"{name}: NDIM is {control['ndim']}: expected 4, 5 or 7, of a model in space")
     place, rigid_shells = 64 + control["extra"], 0
     if control["ndim"] in (5, 7):  # kinds of materials
-        rigid_shells, materials = integers(file, words, place, 2, name)
-        place += 2 + int(materials)
+        rigid_shells = _count(file, words, place, name)
+        place += 2 + _count(file, words, place + 1, name)
     place += control["ialemat"]
     nodes, solids = control["numnp"], abs(control["nel8"])
     x0 = reals(file, words, place, 3 * nodes, name).reshape(nodes, 3)
@@ -79,7 +97,7 @@ def model_of(file: BinaryIO, name: str) -> Model:
     place += 9 * control["nelt"] + 6 * control["nel2"] + 5 * control["nel4"]
     ids, place = _ids(file, words, place, control, name)
     place += 5 * control["nel48"]
-    return Model(words, control, x0, ids, int(rigid_shells), _titles(file, words, place, name) * words.size)
+    return Model(words, control, x0, ids, rigid_shells, _titles(file, words, place, name) * words.size)
 
 
 def _ids(
@@ -110,13 +128,19 @@ def _titles(file: BinaryIO, words: Words, place: int, name: str) -> int:
     while (kind := _peek(file, words, place)) is not None:
         if kind == 90000:
             place += 1 + 18
-        elif kind in (90001, 90002):
-            place += 2 + 19 * int(integers(file, words, place + 1, 1, name)[0])
-        elif kind == 90100:
-            place += 2 + 20 * int(integers(file, words, place + 1, 1, name)[0])
+        elif kind in TITLES:
+            place += 2 + TITLES[kind] * _count(file, words, place + 1, name)
         else:
             break
     return place + 1 if is_end(file, words, place) else place
+
+
+def _count(file: BinaryIO, words: Words, place: int, name: str) -> int:
+    """A word that counts things; raises ResultError if there cannot be so many."""
+    count = int(integers(file, words, place, 1, name)[0])
+    if not 0 <= count <= file.seek(0, 2) // words.size:
+        raise ResultError(f"{name}: word {place} counts {count} things")
+    return count
 
 
 def is_end(file: BinaryIO, words: Words, place: int) -> bool:
@@ -143,5 +167,5 @@ def _content(file: BinaryIO, words: Words, place: int, count: int, name: str) ->
     file.seek(place * words.size)
     content = file.read(count * words.size)
     if len(content) < count * words.size:
-        raise ResultError(f"{name}: the file ends within its head, at word {place}")
+        raise ResultError(f"{name}: the file ends at word {place + len(content) // words.size}")
     return content

@@ -76,6 +76,10 @@ class Lsda:
                 self.cut = f"{self.name}: the table of symbols at byte {at} is not complete"
                 return
             yield from self._table(self.file.read(length - self._size(self.length, self.command)))
+            if 0 < self.next <= at:
+                raise ResultError(
+                    f"{self.name}: the table of symbols at byte {at} leads back to byte {self.next}"
+                )
             at = self.next
 
     def _table(self, content: bytes) -> Iterator[Variable]:
@@ -83,8 +87,11 @@ class Lsda:
         place, directory = 0, "/"
         head = self._size(self.length, self.command)
         tail = self._size(self.type, self.offset, self.length)
-        while place < len(content):
+        while place + head <= len(content):
             length, command = struct.unpack_from(self.order + self.length + self.command, content, place)
+            least = head + {VARIABLE: tail, END: self._size(self.offset)}.get(command, 0)
+            if not least <= length <= len(content) - place:
+                raise ResultError(f"{self.name}: a record of a table of symbols has the length {length}")
             body = content[place + head : place + length]
             place += length
             if command == CD:
@@ -109,11 +116,11 @@ class Lsda:
             )
         count = variable.count - first if count is None else count
         size = int(kind[1])
-        self.file.seek(variable.at + first * size)
-        content = self.file.read(count * size)
-        if len(content) != count * size or first + count > variable.count:
+        begin, end = variable.at + first * size, variable.at + (first + count) * size
+        if first + count > variable.count or end > self.size:
             raise ResultError(f"{self.name}: the file ends within {variable.directory}/{variable.name}")
-        return np.frombuffer(content, self.order + kind)
+        self.file.seek(begin)
+        return np.frombuffer(self.file.read(end - begin), self.order + kind)
 
     def text(self, variable: Variable) -> str:
         """The text of a variable."""

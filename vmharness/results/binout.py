@@ -143,7 +143,7 @@ def _finish(lsda: Lsda, database: _Database) -> None:
     if "time" not in state:
         raise ResultError(f"{place} has no time")
     time, recorder = state["time"], database.recorder
-    recorder.state(float(lsda.read(time)[0]), place, RESOLUTION_OF.get(time.type, 17))
+    recorder.state(float(lsda.read(time, 0, 1)[0]), place, RESOLUTION_OF.get(time.type, 17))
     for name in NUMBERS & state.keys():  # of elements: those that are there
         database.numbers[name] = lsda.read(state[name])
     for key in recorder.keys:

@@ -123,7 +123,12 @@ def _layout(file: BinaryIO, name: str) -> _Layout:
     first = _record(file, name)
     while len(first) != 24:  # further records of newer versions: their number, length of titles, units
         first = _record(file, name)
-    parts, materials, sections, subsets, groups, globals_ = struct.unpack(">6i", first)
+    counts = struct.unpack(">6i", first)
+    if min(counts) < 0:
+        raise ResultError(
+            f"{name}: negative numbers of parts, materials, sections, subsets, groups, variables: {counts}"
+        )
+    parts, materials, sections, subsets, groups, globals_ = counts
     if globals_:
         _record(file, name)
     places: dict[Key, list[int]] = {}
@@ -147,8 +152,8 @@ def _parts(file: BinaryIO, name: str, count: int, at: int, places: dict[Key, lis
     begin, words = at + 4, 0
     for _ in range(count):
         head = _record(file, name)
-        number, variables = struct.unpack(">i", head[:4])[0], struct.unpack(">i", head[-4:])[0]
-        codes = _numbers(_record(file, name)) if variables else ()
+        number, variables = _first(head, 1, name)[0], _first(head[-4:], 1, name)[0]
+        codes = _first(_record(file, name), variables, name) if variables else ()
         for component, code in PART.items():
             if code in codes:
                 places[Key("part", component, number)] = [begin + 4 * (words + codes.index(code))]
@@ -159,7 +164,7 @@ def _parts(file: BinaryIO, name: str, count: int, at: int, places: dict[Key, lis
 def _subsets(file: BinaryIO, name: str, count: int, at: int) -> int:
     words = 0
     for _ in range(count):
-        _, _, children, parts, variables = struct.unpack(">5i", _record(file, name)[:20])
+        _, _, children, parts, variables = _first(_record(file, name), 5, name)
         for numbers in (children, parts, variables):
             if numbers:
                 _record(file, name)
@@ -169,9 +174,9 @@ def _subsets(file: BinaryIO, name: str, count: int, at: int) -> int:
 
 def _group(file: BinaryIO, name: str, at: int, places: dict[Key, list[int]]) -> int:
     """Note the places of the nodes of a group; returns where the next record of an instant begins."""
-    _, kind, _, count, variables = struct.unpack(">5i", _record(file, name)[:20])
-    numbers = [struct.unpack(">i", _record(file, name)[:4])[0] for _ in range(count)]
-    codes = _numbers(_record(file, name)) if variables else ()
+    _, kind, _, count, variables = _first(_record(file, name), 5, name)
+    numbers = [_first(_record(file, name), 1, name)[0] for _ in range(count)]
+    codes = _first(_record(file, name), variables, name) if variables else ()
     if kind == NODES:
         for row, number in enumerate(numbers):
             for component, code in NODE.items():
@@ -181,8 +186,13 @@ def _group(file: BinaryIO, name: str, at: int, places: dict[Key, list[int]]) -> 
     return at + 8 + 4 * count * variables
 
 
-def _numbers(content: bytes) -> tuple[int, ...]:
-    return struct.unpack(f">{len(content) // 4}i", content)
+def _first(content: bytes, count: int, name: str) -> tuple[int, ...]:
+    """The first integers of a record; raises ResultError if it has fewer."""
+    if not 0 <= 4 * count <= len(content):
+        raise ResultError(
+            f"{name}: a record of the head has {len(content)} bytes, where {count} numbers are expected"
+        )
+    return struct.unpack_from(f">{count}i", content)
 
 
 def _record(file: BinaryIO, name: str) -> bytes:
