@@ -17,7 +17,16 @@ if TYPE_CHECKING:
     from vmharness.case.settings import RegionError
 
 READING = 60.0  # seconds: no case takes longer to read
-NEEDED = ("vmharness.case.deck", "vmharness.report.prose", "vmharness.studies.faults.declared")
+NEEDED = (  # modules for reading and review, which are no work of a case
+    "vmharness.case.deck",
+    "vmharness.report.prose",
+    "vmharness.review.deck_values",
+    "vmharness.review.own_input",
+    "vmharness.review.region",
+    "vmharness.studies.faults.declared",
+    "scipy.interpolate",
+    "scipy.optimize",
+)
 
 
 def reader() -> Pool:
