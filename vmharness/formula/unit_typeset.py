@@ -9,12 +9,11 @@ Powers: TypeAlias = tuple[tuple[str, Fraction], ...]
 
 
 def unit_in(above: Powers, below: Powers, to: Notation) -> str:
-    """The unit in a notation, "" if it is dimensionless."""
-    if not below:
-        return _product(above, to)
+    """The unit in a notation, "" if it is dimensionless; s^-1 has no slash, for 100 1/s would look like 1001/s."""
+    if not (above and below):
+        return _product((*above, *((symbol, -exponent) for symbol, exponent in below)), to)
     under = _product(below, to)
-    top = _product(above, to) or to.number("1")
-    return to.row(top, to.sign("/"), to.fenced(under) if len(below) > 1 else under)
+    return to.row(_product(above, to), to.sign("/"), to.fenced(under) if len(below) > 1 else under)
 
 
 def _product(powers: Powers, to: Notation) -> str:
