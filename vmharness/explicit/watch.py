@@ -40,7 +40,6 @@ class Watch:
 
     def impossible(self) -> str:
         """Which energy of the run cannot be, its bound, the likely cause, and what would mend it; empty if all can."""
-        self.contacts.finish()
         found = self.balance.impossible() or self._lost()
         if found is None:
             return ""

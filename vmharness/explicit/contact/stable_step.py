@@ -15,8 +15,7 @@ lightest that is not held; taken over all nodes and segments, not pairs,
     omega^2 <= max k_node / m_node + max k_segment / m_segment
 
 which is at most twice too large where the two belong to different places. active_step.py says it for the contacts that
-a run has, which add up. As in LS-DYNA the step is not shortened for it; a fact of the run reports where it is exceeded.
-With SOFT = 1 the stiffness follows the step.
+a run has, which add up. With SOFT = 1 the stiffness follows the step.
 """
 
 import numpy as np

@@ -5,8 +5,8 @@ Stability: active contacts add their stiffness to that of the elements at their 
     (dt / dt_elements)^2 + (dt / dt_contacts)^2 > 1
 
 leaves it open whether the step is stable, the highest mode of elements and active contacts together decides. It is
-found when more contacts are active than before, and every EVERY cycles. The step is not shortened, as in LS-DYNA; a
-fact of the run says what it should not exceed, and names a node.
+found when more contacts are active than before, and every EVERY cycles. The step is not shortened during the run; a
+fact says what it should not exceed, and names a node. limits.py has shortened it for what can be known before.
 
 Impact: a contact begins and ends within a step, but its force acts as if it did so at the end of one. A node that comes
 with the velocity v gains or loses up to k (v dt)^2 / 8 at the beginning, and as much at the end, which is
@@ -100,12 +100,6 @@ class ContactSteps:
         ]
         energy, name = max(ended, default=(0.0, ""))
         return name, energy
-
-    def finish(self) -> None:
-        """Take back what was said before the run of contacts that were active, and none of them too stiff."""
-        if self._looked and math.isinf(self._shortest):
-            for contact in self.contacts:
-                self.model.facts.pop(f"Step of {contact.name}", None)
 
     def _limit(self, contacts: list[Contact]) -> Active:
         return active_step(contacts, self.model.state.lumped, self.inverse)

@@ -1,6 +1,7 @@
 """Limits of the time step other than the elements' own: caps, springs at nodes of other elements, stiff contacts."""
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 
@@ -14,6 +15,8 @@ from vmharness.explicit.force import Elements, Scalable
 from vmharness.explicit.model.curve import time_curve
 from vmharness.explicit.model.model import Model
 from vmharness.explicit.state import Array
+
+MOST_SHORTER = 100.0  # times: by which a step is shortened for a contact
 
 
 def add_caps(deck: Deck, model: Model) -> None:
@@ -66,9 +69,10 @@ def _needed_mass(model: Model, about: bool) -> Array:
 
 
 def report_contact_steps(deck: Deck, model: Model) -> None:
-    """Add a fact for each contact whose own stable step is shorter than that which elements and caps allow.
+    """Shorten the step for each contact that elements and caps would let be unstable, and add a fact.
 
-    The step of the run is not changed.
+    LS-DYNA does not: such a contact makes energy from nothing. The step becomes that with which impacts keep their
+    energy to MADE, unless that is less than 1/MOST_SHORTER of it, as for a node almost without mass.
     """
     step = _first_step(deck, model)
     held = np.zeros(model.ids.size, bool)
@@ -78,10 +82,23 @@ def report_contact_steps(deck: Deck, model: Model) -> None:
         if isinstance(contact, Contact) and contact.options.soft == 0:
             longest = min(longest_step(one, model.state.mass, held) for one in contact.passes)
             if longest < step:
+                enough = MADE**0.5 * longest
+                if step <= MOST_SHORTER * enough:
+                    model.caps.append(constant(enough))
                 model.facts[f"Step of {contact.name}"] = (
-                    f"should not exceed {MADE**0.5 * longest:.4g}, with which impacts keep their energy to "
-                    f"{100.0 * MADE:g} %; the contact is stable up to {longest:.4g}; the step may begin with {step:.4g}"
+                    f"should not exceed {enough:.4g}, with which impacts keep their energy to {100.0 * MADE:g} %; the "
+                    f"contact is stable up to {longest:.4g}; "
+                    + (
+                        f"the step is shortened from {step:.4g}"
+                        if step <= MOST_SHORTER * enough
+                        else f"the step may begin with {step:.4g}, which is too much to shorten"
+                    )
                 )
+
+
+def constant(step: float) -> Callable[[float], float]:
+    """A cap that does not change."""
+    return lambda t: step
 
 
 def _first_step(deck: Deck, model: Model) -> float:

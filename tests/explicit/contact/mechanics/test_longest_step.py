@@ -174,6 +174,7 @@ def test_what_the_run_says_names_the_node_and_a_step_that_holds(wall_and):
     cap = "*CONTROL_TIMESTEP\n,,,,,7\n*DEFINE_CURVE\n7\n0,{0}\n9,{0}\n"
 
     model = wall_and(text, end=0.2)
+    model.caps.clear()  # as if the step were not shortened
     with pytest.raises(SolverError, match="is stiff for the step"):
         list(steps(model))
     fact = next(fact for name, fact in model.facts.items() if name.startswith("Step of contact"))
@@ -182,6 +183,7 @@ def test_what_the_run_says_names_the_node_and_a_step_that_holds(wall_and):
 
     def wrong(factor, cycles):
         model = wall_and(text + cap.format(factor * stable), end=cycles * stable)
+        del model.caps[1:]
         watch = Watch(model)
         try:
             for _ in steps(model, watch):  # the plate tips over, slowly
