@@ -129,4 +129,4 @@ def test_several_selected_cases_name_their_pages(ball, vm, capsys):
     assert "report: reports/A/index.html" in out
     assert "report: reports/B/index.html" in out
     run._say_where([f"case-{number}" for number in range(7)], Path("reports"), False)
-    assert "and 2 more reports in reports" in capsys.readouterr().out
+    assert "and 2 more reports: reports/*/index.html" in capsys.readouterr().out

@@ -1,6 +1,7 @@
 """The pages of a case and the index: what they show, that they stand alone, and that they repeat."""
 
 import re
+import shutil
 from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
@@ -347,3 +348,14 @@ def test_a_target_has_one_unit_in_the_theory_and_in_the_results(id, line):
     result = next(result for result in case.file.results if result.target == line)
     assert shown.unit == Unit(result.unit)
     assert shown.value * case.units.factor(shown.unit) == pytest.approx(case.theory[line])
+
+
+def test_a_drawing_of_the_case_does_not_replace_a_figure_of_the_page(good, tmp_path):
+    folder = tmp_path / "case"
+    shutil.copytree(good.case.folder, folder)
+    (folder / "schematic.svg").rename(folder / "model.svg")
+    prose = (folder / "README.md").read_text().replace("schematic.svg", "model.svg")
+    (folder / "README.md").write_text(prose)
+    with pytest.raises(FileExistsError, match=r"model\.svg: the page has a figure of this name; rename"):
+        write_case(replace(good, case=replace(good.case, folder=folder)), tmp_path / "reports")
+    assert not (tmp_path / "reports").exists()

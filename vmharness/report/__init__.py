@@ -30,6 +30,10 @@ def write_case(run: CaseRun, folder: Path, volatile: bool = True, indexed: bool 
     for figure in filter(None, [content.model, *content.histories, *studied]):
         texts[to / f"{figure.name}.svg"] = figure.svg
     for name, picture in pictures(run.case).items():
+        if to / name in texts:
+            raise FileExistsError(
+                f"{name}: the page has a figure of this name; rename the drawing of the case"
+            )
         texts[to / name] = picture.read_text(encoding="utf-8")
     if run.solution.resolved_deck:
         texts[to / run.case.deck_name] = run.solution.resolved_deck

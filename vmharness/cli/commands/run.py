@@ -91,4 +91,4 @@ def _say_where(names: Sequence[str], root: Path, indexed: bool) -> None:
         if page.is_file():
             say(f"report: {page}")
     if len(names) > SHOWN and not indexed:
-        say(f"and {len(names) - SHOWN} more reports in {root}")
+        say(f"and {len(names) - SHOWN} more reports: {root / '*' / 'index.html'}")
