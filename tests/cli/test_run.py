@@ -185,7 +185,7 @@ def test_a_folder_that_cannot_be_written_is_4_and_the_verdict_is_told(here, ball
 
 def test_a_defect_of_a_report_does_not_hide_the_verdict(ball, vm, monkeypatch):
     ball()
-    monkeypatch.setattr("vmharness.cli.pipeline.caller", lambda pool, timeout: here_and_now)
+    monkeypatch.setattr("vmharness.cli.pipeline.caller", lambda *of: here_and_now)
     monkeypatch.setattr("vmharness.report.write_case", lambda *run, **how: 1 / 0)
     code, out, _ = vm("run", "VM-061")
     assert code == 3

@@ -64,9 +64,8 @@ def run_cases(found: Sequence[Entry], wanted: Wanted) -> tuple[list[Outcome], li
         except settings.RegionError as error:
             raise click.UsageError(f"--set: {error}") from None
         _record(wanted, outcomes)
-        call = caller(desk, wanted.timeout + IMPORTS)
-        if wanted.report:
-            call(partial(reports.get_ready))
+        needed = reports.NEEDED if wanted.report else reports.NEEDED[:1]
+        call = caller(desk, wanted.timeout + IMPORTS, *needed)
         for broken in outcomes:
             unwritten += write_page(call, broken, wanted)
         _say_notice(wanted.solver)

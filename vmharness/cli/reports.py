@@ -1,12 +1,9 @@
 """Reports of a run; an error in one is reported and does not stop the others."""
 
-import contextlib
 import traceback
 from collections.abc import Callable
 from dataclasses import replace
-from importlib import import_module
 from pathlib import Path
-from threading import Thread
 from typing import TYPE_CHECKING
 
 from vmharness.cli.say import write_file
@@ -17,23 +14,12 @@ if TYPE_CHECKING:
     from vmharness.result import CaseRun
 
 NEEDED = (
-    "vmharness.run",
+    "vmharness.run",  # to judge
     "scipy.interpolate",
     "matplotlib.backends.backend_svg",
     "vmharness.report.page",
     "jinja2",
 )
-
-
-def get_ready() -> None:
-    """Import the packages for reports in a thread, which takes about as long as a short case."""
-
-    def load() -> None:
-        with contextlib.suppress(Exception):  # an error shows where the module is used
-            for module in NEEDED:
-                import_module(module)
-
-    Thread(target=load, daemon=True).start()
 
 
 def write_page(run: "CaseRun", root: Path, name: str, indexed: bool) -> None:

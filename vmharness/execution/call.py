@@ -1,5 +1,6 @@
 """Work of a worker that calls what it is given."""
 
+import contextlib
 import traceback
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
@@ -17,13 +18,19 @@ Caller = Callable[[Call], End]
 
 def calling(*needed: str) -> Work:
     """In a worker: import the modules `needed`; the work is to make a call."""
-    for module in needed:
-        import_module(module)
+    imported(*needed)
 
     def work(call: Call, progress: Report) -> Any:
         return call()
 
     return work
+
+
+def imported(*modules: str) -> None:
+    """Import the modules; an error shows where one of them is used."""
+    for module in modules:
+        with contextlib.suppress(Exception):
+            import_module(module)
 
 
 def called(pool: Pool, calls: Sequence[Call], timeout: float) -> Iterator[tuple[int, End]]:
@@ -33,10 +40,17 @@ def called(pool: Pool, calls: Sequence[Call], timeout: float) -> Iterator[tuple[
             yield number, message
 
 
-def caller(pool: Pool, timeout: float) -> Caller:
-    """Makes one call after the other in a pool, with the limit `timeout` for each."""
+def caller(pool: Pool, timeout: float, *needed: str) -> Caller:
+    """Makes one call after the other in a pool of one worker, with the limit `timeout` for each.
+
+    The worker begins at once to import the modules `needed`, and goes on with it while its caller does other things.
+    """
+    imports = pool.each([partial(imported, *needed)])
+    next(imports)
 
     def call(one: Call) -> End:
+        for _ in imports:
+            pass
         ((_, end),) = called(pool, [one], timeout)
         return end
 
