@@ -14,6 +14,7 @@ def test_each_status_alone():
         Status.BROKEN: 4,
         Status.UNWRITTEN: 4,
         Status.UNJUDGED: 6,
+        Status.UNREPRESENTABLE: 6,
     }
     assert codes == EXIT_CODES
     for status, code in codes.items():
@@ -23,9 +24,14 @@ def test_each_status_alone():
 
 @pytest.mark.parametrize("pair", list(itertools.combinations([2, 3, 4, 6, 1, 0], 2)))
 def test_of_two_the_worse_counts_in_any_order(pair):
-    by_code = {code: status for status, code in EXIT_CODES.items()}
+    by_code = {code: status for status, code in EXIT_CODES.items() if status is not Status.UNREPRESENTABLE}
     for statuses in itertools.permutations([by_code[code] for code in pair]):
         assert exit_code(statuses) == pair[0]
+
+
+def test_what_cannot_be_represented_counts_only_alone():
+    for status, code in EXIT_CODES.items():
+        assert exit_code([Status.UNREPRESENTABLE, status]) == code
 
 
 def test_worst_news_first():
