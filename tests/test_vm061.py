@@ -144,8 +144,8 @@ def late_stamp(monkeypatch):
     """Every sample carries the time of the next one."""
     right = cycles.record
 
-    def wrong(model, probes, progress=None):
-        history, failure, seconds = right(model, probes, progress)
+    def wrong(model, probes, *options):
+        history, failure, seconds = right(model, probes, *options)
         return History(history.time + history.time[1], history.channels), failure, seconds
 
     monkeypatch.setattr(cycles, "record", wrong)
