@@ -17,31 +17,25 @@ def broken(address, link, anchors):
     return parts.scheme == "file" and not Path(unquote(parts.path)).is_file()
 
 
-def test_no_link_is_broken(tab, pages):
-    found = {}
+def test_no_link_is_broken_and_a_page_asks_for_nothing(browser, pages):
+    page = browser.new_page()  # with the security policy of the pages
+    asked, said, found = [], [], {}
+    page.on("request", lambda request: asked.append(request.url))
+    page.on("console", lambda message: said.append(message.text))
     for name, address in pages.items():
-        tab.goto(address)
-        links, anchors = tab.evaluate(LINKS), set(tab.evaluate(ANCHORS))
-        found[name] = [link for link in links if broken(address, link, anchors)] + tab.evaluate(BROKEN)
+        page.goto(address)
+        links, anchors = page.evaluate(LINKS), set(page.evaluate(ANCHORS))
+        found[name] = [link for link in links if broken(address, link, anchors)] + page.evaluate(BROKEN)
+    page.close()
     assert {name: links for name, links in found.items() if links} == {}
+    assert [url for url in asked if url not in pages.values() and not url.startswith("data:")] == []
+    assert said == []
 
 
 def test_the_index_leads_to_every_page(tab, pages):
     tab.goto(pages["index"])
     led = {urldefrag(link)[0] for link in tab.evaluate(LINKS)}
     assert set(pages.values()) - led <= {pages["index"]}
-
-
-def test_a_page_asks_for_nothing_and_complains_of_nothing(browser, pages):
-    page = browser.new_page()  # with the security policy of the pages
-    asked, said = [], []
-    page.on("request", lambda request: asked.append(request.url))
-    page.on("console", lambda message: said.append(message.text))
-    for address in pages.values():
-        page.goto(address)
-    page.close()
-    assert [url for url in asked if url not in pages.values() and not url.startswith("data:")] == []
-    assert said == []
 
 
 def test_a_link_to_nowhere_is_seen():
