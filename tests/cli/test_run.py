@@ -60,7 +60,8 @@ def test_a_wrong_deck_is_1_and_is_run_again_by_lf(ball, vm):
     code, out, _ = vm("run", "-j", "2")
     assert code == 1
     assert "1 fail, 1 pass" in out
-    assert "VM-061: fail\n  t_impact: 0.07194" in out
+    assert "VM-061: fail: deck.k: parameter G = 386.4, but g = 386" in out
+    assert "\n  t_impact: 0.07194" in out
     assert "  run it again: vm run VM-061\n" in out
     assert Path("reports/index.html").is_file()
     assert Path("reports/sound/index.html").is_file()
@@ -129,7 +130,7 @@ def test_the_index_counts_a_broken_case(ball, vm):
     assert vm("run")[0] == 4
     text = Path("reports/README.md").read_text()
     assert text.splitlines()[2].startswith("2 cases: 1 ✓ pass, 1 ! error")
-    assert "- broken: broken/case.toml" in text
+    assert "- [broken](broken/README.md): broken/case.toml" in text
 
 
 def test_a_narrowed_run_links_to_an_index_only_if_there_is_one_and_says_that_it_is_old(ball, vm):

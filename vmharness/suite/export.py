@@ -17,7 +17,7 @@ from vmharness.report import machine
 from vmharness.result import CaseRun, Row
 from vmharness.studies.sources import sources
 from vmharness.suite.outcome import Outcome, Status
-from vmharness.suite.select import FILE, Entry
+from vmharness.suite.select import FILE, Entry, printable
 from vmharness.suite.timed import Began
 
 ANSWERS = (Status.PASS, Status.FAIL, Status.UNREPRESENTABLE)  # that are verdicts, too
@@ -34,7 +34,7 @@ def exported(outcomes: Iterable[Outcome], found: Iterable[Entry], solver: str, b
     return export.Run(
         schema=export.SCHEMA,
         version=vmharness.__version__,
-        command=list(began.command),
+        command=[printable(word) for word in began.command],
         started=began.started,
         seconds=time.perf_counter() - began.at,
         machine=export.Machine(
@@ -129,6 +129,6 @@ def _number(value: float | None) -> float | None:
 
 
 def _relative(folder: Path) -> str:
-    """The path from the current folder, if it is below that."""
+    """The path from the current folder, if it is below that; as text, also where a name is not UTF-8."""
     here = os.path.relpath(folder)
-    return str(folder) if here.startswith(os.pardir) else here
+    return printable(str(folder) if here.startswith(os.pardir) else here)
