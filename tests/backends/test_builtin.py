@@ -14,6 +14,10 @@ from vmharness.case import read
 from vmharness.compare import Verdict
 from vmharness.explicit.watch import Watch
 from vmharness.run import run
+from vmharness.suite.export import exported
+from vmharness.suite.outcome import Outcome, Status
+from vmharness.suite.select import entry
+from vmharness.suite.timed import Began
 
 BALL = Path(__file__).parents[2] / "cases" / "VM-061"
 GRAVITY = "*LOAD_BODY_Z\n$#    lcid        sf    lciddr        xc        yc        zc\n         1        &G\n"
@@ -67,7 +71,11 @@ def test_the_hash_of_every_included_file_is_on_the_page_and_in_junit(including, 
         text = (tmp_path / "reports" / "VM-061" / name).read_text()
         assert digest in text
         assert judged.deck_sha256 in text
-    assert f'name="gravity.k.sha256" value="{digest}"' in render("junit", [judged])
+    outcome = Outcome(judged.case.id, Status.PASS, run=judged)
+    results = exported(
+        [outcome], [entry(judged.case.folder)], "builtin", Began(["vm"], "2026-01-31T09:30:00Z", 0.0)
+    )
+    assert f'name="gravity.k.sha256" value="{digest}"' in render("junit", results)
 
 
 def test_its_version_is_known_without_its_compiler():

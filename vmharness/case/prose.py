@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from vmharness.case.decode import utf8
 from vmharness.case.error import CaseError
 
 FILE = "README.md"
@@ -11,11 +12,7 @@ def read_prose(folder: Path) -> str:
     """The text of README.md, empty without such a file; raises CaseError if it cannot be read."""
     path = folder / FILE
     try:
-        return path.read_text(encoding="utf-8") if path.is_file() else ""
-    except UnicodeDecodeError as error:
-        line = path.read_bytes()[: error.start].count(b"\n") + 1
-        why = f"byte 0x{error.object[error.start]:02x} is not UTF-8; save the file in the encoding UTF-8"
-        raise CaseError(f"{folder.name}/{FILE}:{line}: {why}") from None
+        return utf8(path.read_bytes(), f"{folder.name}/{FILE}") if path.is_file() else ""
     except OSError as error:
         raise CaseError(f"{folder.name}/{FILE}: cannot be read: {error.strerror or error}") from None
 
@@ -33,7 +30,7 @@ def _check_link(path: Path) -> None:
     try:
         to = path.resolve(strict=True)
     except (OSError, RuntimeError):  # a loop is the one or the other, by the version of Python
-        raise CaseError(f"{place}: is a link that leads to no file") from None
+        raise CaseError(f"{place}: a link that leads nowhere") from None
     if not to.is_relative_to(path.parent.resolve()):
         why = "is a link that leads out of the case's folder; put the file itself there"
         raise CaseError(f"{place}: {why}")
