@@ -65,10 +65,10 @@ def test_every_result_that_fails_is_printed(ball, vm):
 
 def test_a_result_with_a_target_of_zero_is_printed_with_its_value():
     judged = compare(0.0, 1e-9, Tolerance(absolute=1e-6))
-    row = SimpleNamespace(key="drift", unit="m", comparison=judged)
+    row = SimpleNamespace(key="drift", unit="m", comparison=judged, verdict=judged.verdict)
     assert summary._line(row) == "drift: 1e-09 m, target 0 m"
     failed = compare(0.0, 1e-3, Tolerance(absolute=1e-6))
-    line = summary._line(SimpleNamespace(key="drift", unit="m", comparison=failed))
+    line = summary._line(SimpleNamespace(key="drift", unit="m", comparison=failed, verdict=failed.verdict))
     assert line.startswith("drift: 0.001 m, target 0 m; 0.001 differs from 0 by 0.001")
 
 

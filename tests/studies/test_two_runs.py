@@ -1,14 +1,33 @@
 import pytest
 
-from vmharness.studies.compare import CaseOfRun, Result, Run, pairs
+from vmharness.export import SCHEMA, Case, Machine, Result, Run
+from vmharness.studies.compare import pairs
+
+MACHINE = Machine(host="", system="", processor="", cores=1, python="3", packages={})
 
 
 def result(key="z", value=-1.5, verdict="pass", target=-1.5):
-    return Result(key, "in", target, value, 0.1, verdict)
+    return Result(
+        key=key, label="", event="", channel="z", unit="in", target=target, value=value, error=None,
+        error_percent=None, tolerance=0.0015, tolerance_percent=0.1, share=None, verdict=verdict, reason="",
+        published={},
+    )  # fmt: skip
 
 
 def run(*results, id="VM-1", verdict="pass", **data):
-    return Run(1, "0.1", [CaseOfRun(id, "a solver 1", verdict, list(results), data)])
+    case = Case(
+        id=id, title="", folder=None, solver="a solver 1", set=data, outcome=verdict, verdict=verdict, reason="",
+        started=None, seconds=None, cycles=None, facts={}, notes=[], sha256={}, inputs_sha256=None,
+        results=list(results),
+    )  # fmt: skip
+    return of_cases(case)
+
+
+def of_cases(*cases):
+    return Run(
+        schema=SCHEMA, version="0.1", command=["vm", "run"], started="2026-01-31T09:30:00Z", seconds=1.0,
+        machine=MACHINE, solvers=[], counts={}, cases=list(cases),
+    )  # fmt: skip
 
 
 def test_equal_runs_differ_in_nothing():
@@ -32,10 +51,10 @@ def test_a_worse_verdict_comes_first():
 
 
 def test_what_is_missing_is_worse_than_any_verdict():
-    (pair,) = pairs(run(result(verdict="error")), Run(1, "0.1", []))
+    (pair,) = pairs(run(result(verdict="error")), of_cases())
     assert pair.verdicts == ("error", "missing")
     assert pair.worse
-    (added,) = pairs(Run(1, "0.1", []), run(result(verdict="fail")))
+    (added,) = pairs(of_cases(), run(result(verdict="fail")))
     assert not added.worse
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from vmharness.deck import DeckError, read, vocabulary, write_long
-from vmharness.explicit.build import build
+from vmharness.explicit.build import build, review
 from vmharness.explicit.elements.solid import Hexahedra
 from vmharness.explicit.loop import steps
 from vmharness.explicit.probes import ProbeError, probe
@@ -59,6 +59,12 @@ def test_forms_of_the_card(deck, tmp_path, elements, elform):
         assert block.stable_step() == pytest.approx(2.0 / C)
 
 
+def test_bulk_viscosity_of_shells_alone_is_said_to_have_no_effect(deck):
+    (finding,) = review(deck(text(more="*CONTROL_BULK_VISCOSITY\n1.5,0.06,-1\n")))
+    assert finding.idle
+    assert "TYPE = -1: acts on shells, of which the deck has none" in str(finding)
+
+
 def test_wedge_of_repeated_nodes(deck):
     model = build(
         deck(
@@ -80,7 +86,7 @@ def test_wedge_of_repeated_nodes(deck):
         ("*ELEMENT_SOLID\n7,1,11,12,13,14,15,16,17,99\n", 1, "", "N8 = 99: no \\*NODE 99"),
         (TWO_ROWS, 10, "", "ELFORM = 10: not implemented; supported: 1 .one point., 2 .fully integrated."),
         (TWO_ROWS, 1, "*CONTROL_HOURGLASS\n6,0.1\n", "CONTROL_HOURGLASS: IHQ = 6: .*solids know 1, 2, 3 .viscous. and 4, 5"),
-        (TWO_ROWS, 1, "*CONTROL_BULK_VISCOSITY\n1.5,0.06,-1\n", "TYPE = -1: only 1 is supported"),
+        (TWO_ROWS, 1, "*CONTROL_BULK_VISCOSITY\n1.5,0.06,-2\n", "TYPE = -2: only 1 is supported"),
         (TWO_ROWS + TWO_ROWS, 1, "", "EID"),
     ],
 )  # fmt: skip
