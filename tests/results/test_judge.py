@@ -289,6 +289,15 @@ def test_events_before_the_beginning_of_the_files_cannot_be_judged(solved, tmp_p
     assert "ball.csv begins at t = 0.0796" in capsys.readouterr().out
 
 
+def test_of_two_states_nothing_can_be_judged(solved, tmp_path, capsys):
+    _, history = solved("VM-061")
+    history.samples([0, -1]).to_csv(tmp_path / "ball.csv")
+    code, verdicts, _ = judge("VM-061", "ball.csv")
+    assert code == 6
+    assert set(verdicts.values()) == {"error"}
+    assert "ball.csv has only 2 states" in capsys.readouterr().out
+
+
 def test_a_damaged_file_is_named_with_its_line(solved, tmp_path, capsys):
     _, history = solved("VM-061")
     history.samples(slice(None, None, 1000)).to_csv(tmp_path / "ball.csv")
