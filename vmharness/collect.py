@@ -27,6 +27,7 @@ from vmharness.results import (
 )
 
 Array = NDArray[np.float64]
+FEWEST = 3  # states that a judgement takes
 LATE = 1.5  # intervals before its end at which a finished run may have written its last state
 
 
@@ -181,12 +182,16 @@ def _facts(found: Mapping[str, Found]) -> dict[str, str]:
 
 
 def _unfinished(deck: Deck, found: Iterable[Found]) -> str:
-    """A sentence if the files end before the deck does."""
+    """A sentence if the files have few states, end before the deck does, or begin after it."""
     termination = deck.first("CONTROL_TERMINATION")
     if termination is None:
         return ""
     for each in found:
-        end = float(each.series.time[-1])
+        if each.series.time.size < FEWEST:
+            return f"{each.series.file} has only {each.series.time.size} states"
+        begin, end = float(each.series.time[0]), float(each.series.time[-1])
+        if begin > LATE * each.source.interval:
+            return f"{each.series.file} begins at t = {begin:.7g}"
         if end < termination.endtim - LATE * each.source.interval:
             return f"{each.series.file} ends at t = {end:.7g}, the deck at {termination.endtim:.7g}"
     return ""

@@ -60,7 +60,8 @@ def _column(case: Case, history: History, column: Published, interval: float) ->
         factor = case.units.factor(Unit(result.unit))
         text = column.values[result.key]
         other = None
-        if (t := column.exactly_at.get(result.key)) is not None and t <= history.time_of(result.channel)[-1]:
+        time, t = history.time_of(result.channel), column.exactly_at.get(result.key)
+        if t is not None and time[0] <= t <= time[-1]:
             other = (t, value_at(history, result.channel, t) / factor)
         rows.append(
             Reading(

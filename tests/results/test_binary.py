@@ -214,6 +214,15 @@ def test_a_d3plot_is_read_with_the_files_that_continue_it(binary, tmp_path, lett
         np.testing.assert_allclose(series.columns[key], values, **close, err_msg=str(key))
 
 
+def test_a_state_of_zeros_is_none_only_at_the_end_of_a_file(binary, tmp_path):
+    motion = np.zeros((3, TIME.size, 1, 3))
+    motion[0, :, 0, 0] = TIME
+    path = tmp_path / "d3plot"
+    binary.d3plot(path, TIME, ([1], motion), np.zeros((1, 3)), np.zeros((TIME.size, 6)), files=2)
+    (series,) = recognise(path).read(path, {Key("node", "x-displacement", 1)})
+    np.testing.assert_allclose(series.time, TIME)
+
+
 def test_of_a_d3plot_that_is_cut_off_the_complete_states_are_used(binary, tmp_path):
     path = tmp_path / "d3plot"
     expected = family(binary, path)

@@ -138,6 +138,68 @@ def test_a_run_written_as_ls_dyna_does_passes_with_the_digits_that_it_has(writte
             ), row.key
 
 
+def test_a_binout_in_double_precision_passes_as_the_run_does(solved, binary, tmp_path):
+    case, history = solved("VM-061")
+    history = history.samples(slice(None, None, 5))
+    column = lambda name: history[name][:, None]  # noqa: E731
+    zero = np.zeros((len(history), 2))
+    force = np.column_stack([history["contact_force"], -history["contact_force"]])  # of both sides
+    binary.binout(
+        tmp_path / "binout",
+        history.time,
+        {
+            "/nodout": ({"ids": [5]}, {"z_displacement": column("z"), "z_velocity": column("v")}),
+            "/glstat": ({}, {"kinetic_energy": history["kinetic"]}),
+            "/rcforc": (
+                {"ids": [1, 1], "side": [0, 1]},
+                {"x_force": zero, "y_force": zero, "z_force": force},
+            ),
+        },
+        "d",
+    )
+    judged = run.judge(case, collect(case, [tmp_path / "binout"]))
+    direct = run.judge(case, Solution("x", history))
+    assert judged.verdict is Verdict.PASS
+    assert not judged.unreported
+    assert [row.comparison.value for row in judged.rows] == [row.comparison.value for row in direct.rows]
+
+
+def _t01(binary, path, history, nodes):
+    energies, motion = np.zeros((len(history), 12)), np.zeros((len(history), len(nodes), 2))
+    energies[:, 0], energies[:, 8] = history["strain"], history["work"]
+    for place, name in enumerate(nodes.values()):
+        motion[:, place, 0] = history[name]
+    before = history.time - np.diff(history.time, prepend=0.0) / 2.0
+    motion[:, -1, 1] = np.interp(before, history.time, history["v_free"])
+    parts = ([1], [1], np.zeros((len(history), 1, 1)))
+    binary.t01(path, history.time, np.diff(history.time)[0], energies, parts, (list(nodes), [1, 4], motion))
+
+
+def _d3plot(binary, path, history, nodes):
+    x0 = np.zeros((len(nodes), 3))
+    motion = np.zeros((3, len(history), len(nodes), 3))
+    for place, name in enumerate(nodes.values()):
+        motion[0, :, place, 0] = history[name]
+    motion[1, :, -1, 0] = history["v_free"]
+    energies = np.zeros((len(history), 6))
+    energies[:, 1] = history["strain"]
+    binary.d3plot(path, history.time, (list(nodes), motion), x0, energies, files=2)
+
+
+@pytest.mark.parametrize(
+    ("write", "file", "unreported"), [(_t01, "T01", set()), (_d3plot, "d3plot", {"work_1"})]
+)
+def test_results_of_a_bar_in_single_precision_pass(solved, binary, tmp_path, write, file, unreported):
+    case, history = solved("VM-084")
+    nodes = {1: "u_load", 401: "u_mid", 801: "u_free"}
+    write(binary, tmp_path / f"case{file}", history, nodes)
+    solution = collect(case, [tmp_path / f"case{file}"])
+    assert {solution.sources[name].format for name in (*nodes.values(), "v_free", "strain")} == {file}
+    judged = run.judge(case, solution)
+    assert judged.verdict is Verdict.PASS
+    assert {row.key for row in judged.unreported} == unreported
+
+
 def _deck(id):
     from pathlib import Path
 
@@ -215,6 +277,25 @@ def test_events_behind_the_end_of_the_files_cannot_be_judged(solved, tmp_path, c
     assert {key for key, verdict in verdicts.items() if verdict == "pass"} == IMPACT
     assert verdicts["z_peak"] == "error"
     assert "ball.csv ends at t = 0.0796" in capsys.readouterr().out
+
+
+def test_events_before_the_beginning_of_the_files_cannot_be_judged(solved, tmp_path, capsys):
+    _, history = solved("VM-061")
+    history.samples(slice(47000, None, 5)).to_csv(tmp_path / "ball.csv")
+    code, verdicts, _ = judge("VM-061", "ball.csv")
+    assert code == 6
+    assert {key for key, verdict in verdicts.items() if verdict == "pass"} == {"t_peak", "z_peak"}
+    assert verdicts["v_impact"] == "error"
+    assert "ball.csv begins at t = 0.0796" in capsys.readouterr().out
+
+
+def test_of_two_states_nothing_can_be_judged(solved, tmp_path, capsys):
+    _, history = solved("VM-061")
+    history.samples([0, -1]).to_csv(tmp_path / "ball.csv")
+    code, verdicts, _ = judge("VM-061", "ball.csv")
+    assert code == 6
+    assert set(verdicts.values()) == {"error"}
+    assert "ball.csv has only 2 states" in capsys.readouterr().out
 
 
 def test_a_damaged_file_is_named_with_its_line(solved, tmp_path, capsys):

@@ -25,6 +25,7 @@ ENERGIES = ("kinetic", "internal", "total")
 AXES = ("x", "y", "z")
 STRESSES = tuple(f"{axes}-stress" for axes in ("xx", "yy", "zz", "xy", "yz", "zx"))
 RESULTANTS = ("axial-force", "s-shear", "t-shear", "s-moment", "t-moment", "torsion")
+CHUNK = 1 << 16  # bytes
 MOTION = ("displacement", "coordinate", "velocity", "acceleration")
 
 
@@ -169,7 +170,7 @@ def _states(
                 else [f"{name}: the file ends within a state, which is left out"]
             )
         t = float(reals(file, words, at // words.size, 1, name)[0])
-        if t == 0.0 and _is_empty(file, at, at + size):  # the rest of a block
+        if t == 0.0 and _is_empty(file, at, end):  # the rest of a block
             break
         place = f"{name}: the state at t = {t:g}"
         recorder.state(t, place, 8 if words.size == 4 else 17)
@@ -185,4 +186,4 @@ def _states(
 def _is_empty(file: BinaryIO, first: int, last: int) -> bool:
     """Whether there are only zeros."""
     file.seek(first)
-    return not any(file.read(last - first))
+    return not any(any(file.read(min(CHUNK, last - place))) for place in range(first, last, CHUNK))
