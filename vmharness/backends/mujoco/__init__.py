@@ -45,10 +45,12 @@ def review(deck: "Deck", channels: "Mapping[str, Channel]") -> "list[Finding]":
 
 
 def reports(deck: "Deck") -> "dict[str, Channel]":
-    """The kinetic energy: other energies it does not record."""
+    """The kinetic energy, and that of springs where no contact is one; other energies it does not record."""
+    from vmharness.backends.mujoco.translate import model_of
     from vmharness.case.format import Channel
 
-    return {"kinetic": Channel(text="kinetic", energy="kinetic")}
+    names = ("kinetic",) if model_of(deck).contacts else ("kinetic", "internal")
+    return {name: Channel(text=name, energy=name) for name in names}
 
 
 def solve(job: Job) -> Output:

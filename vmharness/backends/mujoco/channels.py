@@ -85,8 +85,11 @@ def _of_discrete(model: Model, channel: Channel, axis: int, quantity: str) -> Su
 
 
 def _of_energy(model: Model, channel: Channel, axis: int, quantity: str) -> Sum | None:
-    whole = channel.energy == "kinetic" and channel.part is None
-    return (0.0, [("kinetic energy", "", 0, 1.0)]) if whole else None
+    """The kinetic energy, and the internal energy: that of springs, if no spring is a contact."""
+    given = ("kinetic",) if model.contacts else ("kinetic", "internal")
+    if channel.energy not in given or channel.part is not None:
+        return None
+    return 0.0, [(f"{channel.energy} energy", "", 0, 1.0)]
 
 
 OWNERS = {

@@ -94,9 +94,7 @@ class Model:
     bases: list[Load] = field(default_factory=list)  # accelerations that vary; they act on all
     loads: list[Load] = field(default_factory=list)
     joints: list[tuple[int, float]] = field(default_factory=list)  # child, and the sign of its force
-    steps: list[float] = field(
-        default_factory=list
-    )  # critical steps of surfaces that are no part of the model
+    steps: list[float] = field(default_factory=list)  # critical steps L/c of trusses and of held shells
 
     def id(self, row: int) -> int:
         """The number of the node of a row."""

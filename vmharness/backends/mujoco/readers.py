@@ -14,6 +14,9 @@ def reader(model: Any, data: Any, function: str, name: str, index: int) -> Read:
     kind, _, quantity = function.partition(" ")
     if function == "kinetic energy":
         return lambda: float(data.energy[1])
+    if function == "internal energy":  # the potential energy without its part of gravity, -sum m g . x
+        weights = model.body_mass[:, None] * model.opt.gravity
+        return lambda: float(data.energy[0] + (weights * data.xipos).sum())
     if function == "joint force":
         body = model.body(name).id
         return lambda: float(data.cfrc_int[body, 3 + index])

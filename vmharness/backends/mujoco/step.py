@@ -1,6 +1,6 @@
 """The time step that the deck asks for: TSSFAC times the critical one, at most that of the curve LCTM.
 
-The critical step is the least of 2/omega of springs and contacts, and of L/c of the held shells.
+The critical step is the least of 2/omega of springs and contacts, and of L/c of trusses and held shells.
 """
 
 import numpy as np

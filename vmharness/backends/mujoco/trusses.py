@@ -1,4 +1,7 @@
-"""*ELEMENT_BEAM with ELFORM 3: elastic trusses as tendons with half of their mass at each node, or rigid ones."""
+"""*ELEMENT_BEAM with ELFORM 3: elastic trusses as tendons with half of their mass at each node, or rigid ones.
+
+Elastic ones have the critical step L/c, c = sqrt(E/rho), whatever other masses are at their nodes.
+"""
 
 import numpy as np
 
@@ -35,4 +38,5 @@ def add(deck: Deck, model: Model) -> None:
             if material.keyword is MAT_ELASTIC:
                 stiffness = material.e * section.a / length
                 damping = stiffness_time(deck, part.pid) * stiffness
+                model.steps.append(length * float(np.sqrt(material.ro / material.e)))
                 model.tendons.append(Tendon(int(table.eid[i]), (first, second), stiffness, damping, length))
