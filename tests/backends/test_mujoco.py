@@ -61,7 +61,7 @@ def solve(text, tmp_path, **channels):
 
 @installed
 @pytest.mark.parametrize(
-    "id", ["VM-071", "VM-072", "VM-075", "VM-182", "VM-061", "D-01", "D-15", "D-31", "D-32", "D-34", "D-23"]
+    "id", ["VM-071", "VM-075", "VM-182", "VM-061", "D-01", "D-15", "D-31", "D-32", "D-34", "D-23"]
 )
 def test_it_agrees_with_theory_as_closely_as_the_built_in_solver_must(id, tmp_path):
     found = run(read(CASES / id), backend("mujoco"), folder=tmp_path)
@@ -80,9 +80,9 @@ def test_a_stiff_cord_at_a_quarter_of_its_critical_step_is_beyond_the_budget_of_
 
 
 @installed
-@pytest.mark.parametrize("name", ["m", "g"])
+@pytest.mark.parametrize("name", ["rho", "g"])
 def test_a_wrong_datum_in_the_deck_fails(name, tmp_path):
-    case = read(CASES / "VM-061")
+    case = read(CASES / "D-31")
     wrong = case.with_deck_of({name: 1.01 * case.datum(name)})
     assert run(wrong, backend("mujoco"), folder=tmp_path).verdict is Verdict.FAIL
 
@@ -179,3 +179,129 @@ def test_the_model_is_a_file_of_mujoco_with_the_velocities_of_the_deck():
 def test_it_says_how_to_install_what_is_missing(monkeypatch):
     monkeypatch.setattr(util, "find_spec", lambda name: None)
     assert "pip install 'vmharness[mujoco]'" in mujoco.found().missing
+
+
+BODY = """*PART_INERTIA
+body {pid}
+{pid},1,1
+{x},0.,0.,{m}
+0.1,0.,0.,{i},0.,{i}
+0.,0.,0.,0.,0.,0.
+*CONSTRAINED_EXTRA_NODES_NODE
+{extra}
+"""
+CHAIN = (
+    """*SECTION_SOLID
+1,1
+*MAT_RIGID
+1,1.,1.,0.3
+0
+
+
+*MAT_RIGID
+2,1.,1.,0.3
+1,7,7
+
+*NODE
+11,0.,0.,0.
+12,0.,0.,0.
+21,0.,1.,0.
+22,0.,1.,0.
+31,2.,0.,0.
+32,2.,0.,0.
+*CONTROL_TIMESTEP
+0.,0.9,0,0.,0.,1
+"""
+    + "*DEFINE_CURVE\n1\n0.,0.001\n10.,0.001\n*DEFINE_CURVE\n2\n0.,1.\n10.,1.\n*LOAD_BODY_Z\n2,10.\n"
+    + BODY.format(pid=1, x=0.0, m=1.0, i=0.1, extra="1,11\n1,21").replace("1,1,1\n", "1,1,2\n", 1)
+    + BODY.format(pid=2, x=1.0, m=2.0, i=0.3, extra="2,12\n2,22\n2,31")
+    + BODY.format(pid=3, x=3.0, m=1.5, i=0.2, extra="3,32")
+    + "*CONSTRAINED_JOINT_REVOLUTE\n11,12,21,22\n*CONSTRAINED_JOINT_SPHERICAL\n32,31\n"
+)
+
+
+@installed
+def test_a_chain_of_bodies_keeps_energy_and_its_joints_carry_the_change_of_momentum(tmp_path):
+    names = {f"v{b}": dict(rigid=b, component="z-velocity") for b in (2, 3)}
+    names |= {f"z{b}": dict(rigid=b, component="z-coordinate") for b in (2, 3)}
+    names |= {f"F{j}": dict(joint=j, component="z-force") for j in (1, 2)}
+    output = solve(CHAIN, tmp_path, kinetic=dict(energy="kinetic"), **names)
+    assert output.failure == ""
+    h = output.history
+    work = -10.0 * (2.0 * h["z2"] + 1.5 * h["z3"])
+    assert work.max() > 10.0
+    np.testing.assert_allclose(h["kinetic"], work, atol=1e-8)
+    change = np.gradient(1.5 * h["v3"], h.time)[2:-2]
+    np.testing.assert_allclose(h["F2"][2:-2], change + 15.0, atol=1e-3)  # on body 3, of the first node
+    change = np.gradient(2.0 * h["v2"] + 1.5 * h["v3"], h.time)[2:-2]
+    np.testing.assert_allclose(h["F1"][2:-2], -(change + 35.0), atol=1e-3)  # on the ground, of the first node
+
+
+def test_joints_that_close_a_loop_are_refused(tmp_path):
+    loop = "*CONSTRAINED_JOINT_SPHERICAL\n21,22\n"
+    with pytest.raises(DeckError, match="JOINT_SPHERICAL: mujoco: the joint closes a loop of bodies"):
+        translate.model_of(deck_of(CHAIN + loop, tmp_path))
+
+
+@installed
+def test_a_flat_body_in_any_axes_is_one_that_mujoco_takes(tmp_path):
+    """Principal moments 1, 2 and 3, which MuJoCo refuses if round-off makes the last greater than the sum."""
+    q = np.linalg.qr([[1.0, 2.0, 0.3], [0.2, 1.0, 0.7], [0.9, 0.1, 1.0]])[0]
+    i = q @ np.diag([1.0, 2.0, 3.0]) @ q.T
+    card = ",".join(repr(float(i[k])) for k in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)))
+    text = BODY.format(pid=1, x=0.0, m=1.0, i=0.1, extra="1,2").replace("0.1,0.,0.,0.1,0.,0.1", card)
+    text = "*SECTION_SOLID\n1,1\n*MAT_RIGID\n1,1.,1.,0.3\n0\n\n" + text.replace(
+        "0.,0.,0.,0.,0.,0.", "0.,0.,0.,1.,2.,3."
+    )
+    output = solve(
+        text, tmp_path, **{axis: dict(rigid=1, component=f"{axis}-angular-momentum") for axis in "xyz"}
+    )
+    for k, axis in enumerate("xyz"):
+        np.testing.assert_allclose(output.history[axis], (i @ [1.0, 2.0, 3.0])[k], rtol=1e-7)
+
+
+FLOOR = """*NODE
+3,-1.,-1.,-1.,7,7
+4,1.,-1.,-1.,7,7
+5,1.,1.,-1.,7,7
+6,-1.,1.,-1.,7,7
+*PART
+floor
+1,1,1
+*SECTION_SHELL
+1,2
+0.01,0.01,0.01,0.01
+*MAT_ELASTIC
+1,1000.,1.0e7,0.3
+*ELEMENT_SHELL
+1,1,3,4,5,6
+*SET_NODE_LIST
+1
+2
+"""
+CONTACT = "*CONTACT_NODES_TO_SURFACE\n1,1,4,3\n{},{},0.,0.,{}\n\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (FLOOR + CONTACT.format(0.3, 0.2, 0.0), "one coefficient of friction only: FD must be FS"),
+        (FLOOR.replace("6,-1.,1.,-1.", "6,-1.,1.,-1.5") + CONTACT.format(0.0, 0.0, 0.0), "the surface is not flat"),
+        (FLOOR.replace("5,1.,1.,-1.,7,7", "5,1.,1.,-1.,6,7") + CONTACT.format(0.0, 0.0, 0.0), "N3 = 5: mujoco: the node is not held"),
+    ],
+)  # fmt: skip
+def test_contacts_that_it_cannot_represent_are_refused_by_name(text, message, tmp_path):
+    with pytest.raises(DeckError, match=message):
+        translate.model_of(deck_of(MASS + text, tmp_path))
+
+
+@installed
+def test_a_damped_contact_gives_back_what_its_damping_leaves(tmp_path):
+    """From the beginning to zero force: v/v0 = exp(-z a/sqrt(1 - z^2)), a the phase angle, for the damping z."""
+    fall = "*INITIAL_VELOCITY_NODE\n2,0.,0.,-10.\n*CONTROL_TIMESTEP\n0.,0.02\n"
+    output = solve(
+        MASS + FLOOR + CONTACT.format(0.0, 0.0, 30.0) + fall, tmp_path, v=dict(node=2, component="z-velocity")
+    )
+    z = 0.3
+    ratio = np.exp(-z / np.sqrt(1.0 - z**2) * np.arctan2(2.0 * z * np.sqrt(1.0 - z**2), 2.0 * z**2 - 1.0))
+    assert output.history["v"][-1] == pytest.approx(10.0 * ratio, rel=1e-3)

@@ -18,6 +18,8 @@ from vmharness.mesh.nodes import Array, Index
 from vmharness.mesh.sets import nodes_of_parts
 
 LEAST = 1e-6  # of the largest principal moment
+ROUND_OFF = 1e-14  # by which a flat body must stay below I3 = I1 + I2, for MuJoCo refuses more
+DIGITS = 1e-9  # by which a card may exceed it
 HELD = 7  # code of three axes
 SUPPORTS = (
     supports(MAT_RIGID, cmo=among(0, 1), n=only(0.0), couple=only(0.0), spcnid=only(0)),
@@ -80,13 +82,19 @@ def _given(model: Model, part: Entry, rows: Index) -> tuple[float, Array, Array]
         raise part.error("ircs", "mujoco: inertia in local axes is not supported")
     if model.mass[rows].any():
         raise part.error("pid", "mujoco: a body of given inertia with masses at its nodes is not supported")
-    at = (
-        model.nodes.x0[model.nodes.row(part, "nodeid", part.nodeid)]
-        if part.nodeid
-        else [part.xc, part.yc, part.zc]
-    )
     xx, xy, xz, yy, yz, zz = (getattr(part, name) for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz"))
-    return part.tm, np.array(at, float), np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    moments = np.linalg.eigvalsh(tensor)
+    if not (part.tm > 0.0 and moments[0] > 0.0):
+        raise part.error("tm", "mujoco: mass and principal moments must be greater than 0")
+    if moments[2] > (1.0 + DIGITS) * (moments[0] + moments[1]):
+        given = ", ".join(f"{moment:.9g}" for moment in moments)
+        raise part.error(
+            "ixx", f"mujoco: of the principal moments {given} the last exceeds the sum of the others"
+        )
+    at = np.array([part.xc, part.yc, part.zc])
+    centre = model.nodes.x0[model.nodes.row(part, "nodeid", part.nodeid)] if part.nodeid else at
+    return part.tm, centre, _possible(tensor, 0.0)
 
 
 def _of_points(model: Model, part: Entry, rows: Index) -> tuple[float, Array, Array]:
@@ -97,6 +105,14 @@ def _of_points(model: Model, part: Entry, rows: Index) -> tuple[float, Array, Ar
     centre = m @ x / m.sum()
     r = x - centre
     tensor = (m @ (r**2).sum(axis=1)) * np.eye(3) - (m[:, None] * r).T @ r
+    if not tensor.any():
+        raise part.error("pid", "mujoco: the rigid body is a point, without a moment of inertia")
+    return float(m.sum()), centre, _possible(tensor, LEAST)
+
+
+def _possible(tensor: Array, least: float) -> Array:
+    """The tensor, with principal moments that MuJoCo takes: not below `least` of the largest, and I3 < I1 + I2."""
     moments, axes = np.linalg.eigh(tensor)
-    least = np.maximum(moments, LEAST * moments.max())
-    return float(m.sum()), centre, axes @ np.diag(least) @ axes.T
+    taken = np.maximum(moments, least * moments[2])
+    taken[2] = min(taken[2], (1.0 - ROUND_OFF) * (taken[0] + taken[1]))
+    return tensor if (taken == moments).all() else np.asarray(axes @ np.diag(taken) @ axes.T)
