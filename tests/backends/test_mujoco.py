@@ -261,10 +261,10 @@ def test_a_flat_body_in_any_axes_is_one_that_mujoco_takes(tmp_path):
 
 
 FLOOR = """*NODE
-3,-1.,-1.,-1.,7,7
-4,1.,-1.,-1.,7,7
-5,1.,1.,-1.,7,7
-6,-1.,1.,-1.,7,7
+3,1.,-1.,-1.,7,7
+4,3.,-1.,-1.,7,7
+5,3.,1.,-1.,7,7
+6,1.,1.,-1.,7,7
 *PART
 floor
 1,1,1
@@ -286,8 +286,9 @@ CONTACT = "*CONTACT_NODES_TO_SURFACE\n1,1,4,3\n{},{},0.,0.,{}\n\n"
     ("text", "message"),
     [
         (FLOOR + CONTACT.format(0.3, 0.2, 0.0), "one coefficient of friction only: FD must be FS"),
-        (FLOOR.replace("6,-1.,1.,-1.", "6,-1.,1.,-1.5") + CONTACT.format(0.0, 0.0, 0.0), "the surface is not flat"),
-        (FLOOR.replace("5,1.,1.,-1.,7,7", "5,1.,1.,-1.,6,7") + CONTACT.format(0.0, 0.0, 0.0), "N3 = 5: mujoco: the node is not held"),
+        (FLOOR.replace("6,1.,1.,-1.", "6,1.,1.,-1.5") + CONTACT.format(0.0, 0.0, 0.0), "the surface is not flat"),
+        (FLOOR.replace("3.,", "1.5,") + CONTACT.format(0.0, 0.0, 0.0), "node 2 does not begin over the surface"),
+        (FLOOR.replace("5,3.,1.,-1.,7,7", "5,3.,1.,-1.,6,7") + CONTACT.format(0.0, 0.0, 0.0), "N3 = 5: mujoco: the node is not held"),
     ],
 )  # fmt: skip
 def test_contacts_that_it_cannot_represent_are_refused_by_name(text, message, tmp_path):
@@ -304,4 +305,6 @@ def test_a_damped_contact_gives_back_what_its_damping_leaves(tmp_path):
     )
     z = 0.3
     ratio = np.exp(-z / np.sqrt(1.0 - z**2) * np.arctan2(2.0 * z * np.sqrt(1.0 - z**2), 2.0 * z**2 - 1.0))
-    assert output.history["v"][-1] == pytest.approx(10.0 * ratio, rel=1e-3)
+    assert output.history["v"][-1] == pytest.approx(
+        10.0 * ratio, rel=5e-3
+    )  # first order in the step: the damping force begins with a jump

@@ -58,6 +58,7 @@ def add(deck: Deck, model: Model) -> None:
             raise entry.error("fd", "mujoco: one coefficient of friction only: FD must be FS")
         faces, stiffness = _surface(deck, model, entry)
         origin, normal, size = _plane(model, entry, faces)
+        _check_over(model, entry, rows, faces)
         normal = normal * _side(model, entry, rows, origin, normal, size)
         k = control.slsfac * entry.sfsb * stiffness
         friction = entry.fsf * entry.fs
@@ -96,6 +97,17 @@ def _plane(model: Model, entry: Entry, faces: Index) -> tuple[Array, Array, floa
     if np.abs((x - x[0]) @ normal).max() > FLAT * size:
         raise entry.error("surfb", "mujoco: the surface is not flat")
     return x[0], normal, size
+
+
+def _check_over(model: Model, entry: Entry, rows: Index, faces: Index) -> None:
+    """Each mass begins over one of the convex segments: on the inner side of its edges. The plane has no end."""
+    corners = model.nodes.x0[faces]
+    edges = np.roll(corners, -1, axis=1) - corners
+    normals = area_vectors(corners)[:, None]
+    for row in rows.tolist():
+        inner = np.einsum("fij,fij->fi", np.cross(normals, edges), model.nodes.x0[row] - corners)
+        if not (inner >= -FLAT * np.abs(inner).max()).all(axis=1).any():
+            raise entry.error("surfa", f"mujoco: node {model.id(row)} does not begin over the surface")
 
 
 def _side(model: Model, entry: Entry, rows: Index, origin: Array, normal: Array, size: float) -> float:
