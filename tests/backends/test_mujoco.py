@@ -89,9 +89,9 @@ def test_a_wrong_datum_in_the_deck_fails(name, tmp_path):
 
 @installed
 def test_what_it_does_not_report_is_counted_as_that(tmp_path):
-    found = run(read(CASES / "D-23"), backend("mujoco"), folder=tmp_path)
-    assert [row.key for row in found.unreported] == ["w_A", "w_B"]
-    assert "does not report 'friction energy'" in found.unreported[0].comparison.reason
+    found = run(read(CASES / "D-01"), backend("mujoco"), folder=tmp_path)
+    assert [row.key for row in found.unreported] == ["ratio_land"]
+    assert "does not report 'ratio'" in found.unreported[0].comparison.reason
 
 
 @installed
