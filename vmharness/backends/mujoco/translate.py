@@ -1,0 +1,95 @@
+"""A deck as a model of MuJoCo, and what cannot be translated."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from vmharness.backends.mujoco import (
+    contacts,
+    damping,
+    joints,
+    loads,
+    masses,
+    rigid,
+    shells,
+    springs,
+    trusses,
+    velocities,
+)
+from vmharness.backends.mujoco.channels import NotReportedError, Sum, terms
+from vmharness.backends.mujoco.element import node_name
+from vmharness.backends.mujoco.forces import GRIP, IMPEDANCE
+from vmharness.backends.mujoco.model import Model, empty
+from vmharness.backends.mujoco.supported import supported
+from vmharness.case.format import Channel
+from vmharness.deck import Deck, DeckError, Finding, support
+from vmharness.deck.finding import in_order, refuse_unsupported, unsupported
+from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
+from vmharness.mesh.nodes import nodes_of
+
+# Bodies take masses and velocities of nodes; joints, loads and contacts act on bodies.
+PASSES = (springs, trusses, shells, masses, velocities, rigid, damping, joints, loads, contacts)
+SHOWN = 12  # facts of contacts
+
+
+def review(deck: Deck, channels: Mapping[str, Channel]) -> list[Finding]:
+    """What of the deck is not represented, which channels are not reported, and what has no effect."""
+    found = support.review(deck, supported())
+    if unsupported(found):
+        return in_order(deck, found)
+    try:
+        model = model_of(deck)
+    except DeckError as error:
+        return in_order(deck, [*found, *map(Finding, error.errors)])
+    for name, channel in channels.items():
+        try:
+            terms(model, channel)
+        except NotReportedError as error:
+            found.append(Finding(DeckError(f"[channels] {name}: {error}")))
+    return in_order(deck, found)
+
+
+def model_of(deck: Deck) -> Model:
+    """The model of a deck; raises DeckError for what cannot be represented."""
+    refuse_unsupported(support.review(deck, supported()))
+    model = empty(deck, nodes_of(deck))
+    for module in PASSES:
+        module.add(deck, model)
+    masses.check(deck, model)
+    return model
+
+
+def task(model: Model, channels: Mapping[str, Channel]) -> tuple[dict[str, Any], dict[str, str]]:
+    """What the child process needs beside the model; and the channels that are not reported, with why."""
+    found: dict[str, Sum] = {}
+    missing: dict[str, str] = {}
+    for name, channel in channels.items():
+        try:
+            found[name] = terms(model, channel)
+        except NotReportedError as error:
+            missing[name] = str(error)
+    what = {
+        "end": model.deck.one(CONTROL_TERMINATION).endtim,
+        "loads": [
+            [node_name(model.id(load.row)), load.vector.tolist(), load.t.tolist(), load.value.tolist()]
+            for load in model.loads
+        ],
+        "bases": [[base.vector.tolist(), base.t.tolist(), base.value.tolist()] for base in model.bases],
+        "channels": found,
+        "facts": _facts(model),
+    }
+    return what, missing
+
+
+def _facts(model: Model) -> dict[str, str]:
+    """What of the model a reader must know to judge the results."""
+    found = {}
+    for contact in model.contacts[:SHOWN]:
+        how = (
+            "a spring with a dead band"
+            if contact.spring
+            else f"solref = -k/m with the impedance {IMPEDANCE:g}"
+        )
+        found[f"Contact {contact.number}"] = f"stiffness {contact.stiffness:.6g}, by {how}"
+    if any(contact.friction for contact in model.contacts):
+        found["Friction"] = f"elliptic cones, noslip, sticking at the rate {GRIP:g}/dt"
+    return found
