@@ -1,0 +1,69 @@
+"""ccx, run in the work folder: its input, its end, and the history that it leaves."""
+
+import time
+from collections.abc import Mapping
+
+import numpy as np
+
+from vmharness.backends.calculix import PROGRAM
+from vmharness.backends.calculix.channels import Plan
+from vmharness.backends.calculix.dat import Array, DatError, read
+from vmharness.backends.calculix.translate import model_of, plans, steps, written
+from vmharness.backends.protocol import Job, Output
+from vmharness.deck import DeckError
+from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
+from vmharness.execution import program
+from vmharness.execution.program import ProgramError
+from vmharness.history import History
+
+ONE_THREAD = {"OMP_NUM_THREADS": "1"}
+NAME = "job"
+SCHEME = "Newmark, gamma = 1/2, beta = 1/4 (*DYNAMIC, DIRECT, ALPHA=0), large displacements"
+
+
+def run(job: Job) -> Output:
+    """Write the input, run ccx, read what it has printed.
+
+    Raises ProgramError if ccx fails, also where its exit code does not say so.
+    """
+    try:
+        model = model_of(job.deck)
+    except DeckError as error:
+        return Output(None, unrepresentable=str(error))
+    wanted, missing = plans(model, job.channels)
+    count, end = steps(model), model.deck.one(CONTROL_TERMINATION).endtim
+    text = "\n".join(written(model, wanted.values(), count))
+    (job.folder / f"{NAME}.inp").write_text(f"{text}\n", encoding="ascii")
+    began = time.perf_counter()
+    printed = program.run([PROGRAM, NAME], job.folder, ONE_THREAD)
+    seconds = time.perf_counter() - began
+    times = end / count * np.arange(1, count + 1)
+    try:
+        if "*ERROR" in printed:
+            raise DatError("it reports an error")
+        found = read(job.folder / f"{NAME}.dat", times) if wanted else {}
+    except DatError as error:
+        raise ProgramError(f"{PROGRAM} ended without a complete result: {error}{program.tail(printed)}") from None
+    return Output(
+        _history(times, {name: one.value(found) for name, one in wanted.items()}, wanted),
+        facts={
+            "Integrator": SCHEME,
+            "Time step": f"{end / count:.6g}, constant",
+            "Precision": "seven digits, as printed in job.dat",
+        },
+        cycles=count,
+        seconds=seconds,
+        unreported=missing,
+    )
+
+
+def _history(times: Array, values: Mapping[str, Array], wanted: Mapping[str, Plan]) -> History:
+    """The channels from t = 0; those whose value is not known then, from the first step."""
+    channels: dict[str, Array] = {}
+    own: dict[str, Array] = {}
+    for name, one in wanted.items():
+        if one.start is None:
+            own[name], channels[name] = times, values[name]
+        else:
+            channels[name] = np.concatenate([[one.start], values[name]])
+    return History(np.concatenate([[0.0], times]), channels, own)
