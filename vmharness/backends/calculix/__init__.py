@@ -29,7 +29,9 @@ def found() -> Found:
     if program is None:
         return Found(missing=INSTALL)
     try:
-        printed = subprocess.run([program, "-v"], capture_output=True, text=True, timeout=60, check=False).stdout
+        printed = subprocess.run(
+            [program, "-v"], capture_output=True, text=True, timeout=60, check=False
+        ).stdout
     except (OSError, subprocess.TimeoutExpired) as error:
         return Found(missing=f"{program} -v: {error}")
     version = re.search(r"Version (\S+)", printed)

@@ -1,13 +1,10 @@
-"""Beams of ELFORM 2 as B31, and trusses of ELFORM 3 as T3D2; CalculiX expands both to solids C3D8I.
-
-Poisson's ratio of an elastic truss is zero: its force does not depend on it, and a solid of no lateral motion has the
-inertia of a truss.
-"""
+"""Beams of ELFORM 2 as B31, which CalculiX expands to solids C3D8I, and trusses of ELFORM 3."""
 
 import numpy as np
 
+from vmharness.backends.calculix import trusses
 from vmharness.backends.calculix.materials import of
-from vmharness.backends.calculix.model import Model, real, table
+from vmharness.backends.calculix.model import Model, table
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.element.beam import ELEMENT_BEAM
 from vmharness.deck.keywords.mat.elastic import MAT_ELASTIC
@@ -43,25 +40,23 @@ def add(deck: Deck, model: Model) -> None:
             material = deck.find(MAT_ELASTIC, MAT_PLASTIC_KINEMATIC, mid=part.mid, referred_by=(part, "mid"))
             length = model.length(int(ends[0]), int(ends[1]))
             if section.elform == TRUSS:
-                name, kind = f"TRUSS{part.pid}", "T3D2"
-                lines = [f"*SOLID SECTION,ELSET={name},MATERIAL={of(model, material, 'BAR')}", real(section.a)]
+                name, lines = trusses.add(model, entry, i, ends, section, material)
             else:
                 third = model.nodes.row(entry, "n3", int(entry.n3[i]), i)
                 sides, s = _rectangle(section, material), _across(model, ends, third)
-                name, kind = f"BEAM{part.pid}N{third}X{ends[0]}", "B31"
+                name = f"BEAM{part.pid}N{third}X{ends[0]}"
                 lines = [
                     f"*BEAM SECTION,ELSET={name},MATERIAL={of(model, material)},SECTION=RECT",
                     *table(sides, 2),
                     *table(s, 3),
                 ]
-                model.rotating[ends] = True
-            model.add(entry.keyword, int(entry.eid[i]), kind, name, ends)
+                model.add(entry.keyword, int(entry.eid[i]), "B31", name, ends)
+                model.rotating[ends] = model.expanded[ends] = True
             if name not in sections:
                 model.sections += lines
                 sections.add(name)
             model.join(int(ends[0]), int(ends[1]), material.e * section.a / length)
             model.mass[ends] += 0.5 * material.ro * section.a * length
-            model.expanded[ends] = True
             model.continua += 1
 
 

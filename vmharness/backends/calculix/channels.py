@@ -1,7 +1,7 @@
 """Channels: what CalculiX is to print for each, and how it follows from that."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -14,7 +14,6 @@ from vmharness.deck.keywords.element.solid import ELEMENT_SOLID
 from vmharness.deck.keywords.mat.damper_viscous import MAT_DAMPER_VISCOUS
 from vmharness.deck.keywords.part import PART
 from vmharness.deck.keywords.section.beam import SECTION_BEAM
-from vmharness.mesh.supports import supported
 
 Printed = Mapping[Key, Array]
 AXES = {"x": 0, "y": 1, "z": 2}
@@ -67,7 +66,9 @@ def _of_elements(value: Callable[[Printed], Array], name: str, numbers: list[int
 
 
 def _joined(value: Callable[[Printed], Array], *plans: Plan, start: float | None = None) -> Plan:
-    sets, printed = (frozenset().union(*(getattr(one, what) for one in plans)) for what in ("sets", "printed"))
+    sets, printed = (
+        frozenset().union(*(getattr(one, what) for one in plans)) for what in ("sets", "printed")
+    )
     return Plan(value, sets, printed, start)
 
 
@@ -168,13 +169,18 @@ def _plastic(member: Member) -> Plan:
 def _of_support(model: Model, channel: Channel) -> Plan:
     """Forces of the elements on held nodes, with the sign of the reaction; dampers are no part of them."""
     axis, _ = _split(channel, ("force",))
-    held = supported(model.deck, model.nodes)[:, axis] & model.used
-    chosen = [row for row in np.flatnonzero(held).tolist() if channel.support in ("all", model.nodes.ids[row])]
+    held = model.held[:, axis] & model.used
+    chosen = [
+        row for row in np.flatnonzero(held).tolist() if channel.support in ("all", model.nodes.ids[row])
+    ]
     if not chosen or model.deck.all(MAT_DAMPER_VISCOUS):
         raise NotReportedError("calculix does not report the forces of dampers on supports")
+    added = [
+        number - 1 for row in chosen for found in model.corners.get(row, {}).values() for number in found
+    ]
     name = f"SUPPORT{channel.support}{'XYZ'[axis]}".upper()
     return _of_nodes(
-        lambda printed: printed["forces", name][:, :, 1 + axis].sum(axis=1), name, chosen, "forces"
+        lambda printed: printed["forces", name][:, :, 1 + axis].sum(axis=1), name, chosen + added, "forces"
     )
 
 

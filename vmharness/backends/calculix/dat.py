@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Key = tuple[str, str]  # quantity, set
 
-HEAD = re.compile(r" (?P<quantity>[a-z ]+?)(?: \(.*\))? for set (?P<set>\S+) and time +(?P<time>\S+)\s*")
+HEAD = re.compile(r" (?P<quantity>[a-z ]+?) ?(?:\(.*\))? ?for set (?P<set>\S+) and time +(?P<time>\S+)\s*")
 NUMBER = re.compile(r"[+-]?\d*\.?\d+(?:E[+-]?\d+)?")
 NO_LETTER = re.compile(r"([+-]?\d\.\d+)([+-]\d{3})")
 SAME = 1e-6  # of the time: it has seven digits

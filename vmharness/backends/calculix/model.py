@@ -1,4 +1,4 @@
-"""The model of CalculiX while it is translated: lines of its input file, and what later lines must know of earlier ones.
+"""The model of CalculiX while it is translated: lines of its input file, and what later lines must know.
 
 Nodes have their row, counted from 1, as number, and elements the order in which they are added: CalculiX allots memory
 up to the largest number, and elements of all kinds share one numbering.
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from vmharness.deck import Deck, Keyword
 from vmharness.mesh.nodes import Array, Nodes
+from vmharness.mesh.supports import supported
 
 Lines = list[str]
 
@@ -33,30 +34,48 @@ class Model:
     mass: Array  # (n,) of elements and lumped masses
     lumped: Array  # (n,) of lumped masses alone
     used: NDArray[np.bool_]  # (n,) nodes that an element joins
-    expanded: NDArray[np.bool_]  # (n,) nodes of elements that CalculiX expands to solids: trusses, beams, shells
+    expanded: NDArray[
+        np.bool_
+    ]  # (n,) nodes of elements that CalculiX expands to solids: trusses, beams, shells
     rotating: NDArray[np.bool_]  # (n,) nodes of beams and shells
+    held: NDArray[np.bool_]  # (n, 6) degrees of freedom that supports hold
     stiff: Array  # (n,) bound of the row sums of |K| at the nodes
     velocities: Array  # (n, 3)
     elements: Lines = field(default_factory=list)  # and the properties of springs, dampers and masses
     materials: dict[str, Lines] = field(default_factory=dict)
     sections: Lines = field(default_factory=list)
+    equations: Lines = field(default_factory=list)
+    corners: dict[int, dict[float, list[int]]] = field(
+        default_factory=dict
+    )  # numbers of added nodes, by row and area
+    added: list[Array] = field(default_factory=list)  # coordinates of added nodes
     amplitudes: Lines = field(default_factory=list)
     driven: Lines = field(default_factory=list)  # *BOUNDARY of the step
-    loads: dict[tuple[int, int], dict[int, float]] = field(default_factory=dict)  # (row, axis): factor by LCID
+    loads: dict[tuple[int, int], dict[int, float]] = field(
+        default_factory=dict
+    )  # (row, axis): factor by LCID
     members: dict[tuple[str, int], Member] = field(default_factory=dict)  # (keyword, EID)
     continua: int = 0  # elements that are solids to CalculiX
     preloaded: bool = False  # the strain energy of springs has another zero
     count: int = 0  # elements so far
 
-    def add(self, keyword: Keyword, eid: int, kind: str, name: str, rows: Sequence[int]) -> None:
-        """Add an element of a type of CalculiX to the element set `name`."""
+    def add(
+        self,
+        keyword: Keyword,
+        eid: int,
+        kind: str,
+        name: str,
+        rows: Sequence[int],
+        numbers: Sequence[int] = (),
+    ) -> None:
+        """Add an element of a type of CalculiX to the element set `name`; its nodes are the rows, or the `numbers`."""
         self.count += 1
         rows = [int(row) for row in rows]
         self.used[rows] = True
         self.members[keyword.name, eid] = Member(self.count, tuple(rows))
         self.elements += [
             f"*ELEMENT,TYPE={kind},ELSET={name}",
-            ",".join(map(str, [self.count, *(1 + row for row in rows)])),
+            ",".join(map(str, [self.count, *(numbers or [1 + row for row in rows])])),
         ]
 
     def join(self, first: int, second: int, stiffness: float) -> None:
@@ -76,8 +95,18 @@ class Model:
 def empty(deck: Deck, nodes: Nodes) -> Model:
     """A model without elements."""
     n = nodes.ids.size
-    masses, flags = [np.zeros(n) for _ in range(3)], [np.zeros(n, bool) for _ in range(3)]
-    return Model(deck, nodes, masses[0], masses[1], *flags, masses[2], np.zeros((n, 3)))
+    return Model(
+        deck,
+        nodes,
+        mass=np.zeros(n),
+        lumped=np.zeros(n),
+        used=np.zeros(n, bool),
+        expanded=np.zeros(n, bool),
+        rotating=np.zeros(n, bool),
+        held=supported(deck, nodes),
+        stiff=np.zeros(n),
+        velocities=np.zeros((n, 3)),
+    )
 
 
 def real(value: float) -> str:

@@ -43,7 +43,9 @@ def run(job: Job) -> Output:
             raise DatError("it reports an error")
         found = read(job.folder / f"{NAME}.dat", times) if wanted else {}
     except DatError as error:
-        raise ProgramError(f"{PROGRAM} ended without a complete result: {error}{program.tail(printed)}") from None
+        raise ProgramError(
+            f"{PROGRAM} ended without a complete result: {error}{program.tail(printed)}"
+        ) from None
     return Output(
         _history(times, {name: one.value(found) for name, one in wanted.items()}, wanted),
         facts={

@@ -15,7 +15,6 @@ from vmharness.deck.finding import in_order, refuse_unsupported, unsupported
 from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.mesh.nodes import nodes_of
-from vmharness.mesh.supports import supported as supports_of
 
 MOST, FREE = 4000, 1000  # steps: at most; of bodies that nothing holds
 WORK = 200_000  # steps times elements that are solids to CalculiX, at most: some minutes
@@ -88,11 +87,13 @@ def written(model: Model, wanted: Iterable[Plan], count: int) -> Lines:
     return [
         "*NODE,NSET=ALL",
         *(f"{row + 1},{','.join(map(real, x[row].tolist()))}" for row in np.flatnonzero(model.used).tolist()),
+        *(f"{number},{','.join(map(real, place.tolist()))}" for number, place in _added(model)),
         *model.elements,
         *(line for lines in model.materials.values() for line in lines),
         *model.sections,
         *model.amplitudes,
         *loads.amplitudes(model),
+        *model.equations,
         *_held(model),
         *velocities.lines(model),
         *_members(wanted),
@@ -106,9 +107,13 @@ def written(model: Model, wanted: Iterable[Plan], count: int) -> Lines:
     ]
 
 
+def _added(model: Model) -> Iterable[tuple[int, np.ndarray]]:
+    return enumerate(model.added, 1 + model.nodes.ids.size)
+
+
 def _held(model: Model) -> Lines:
     """*BOUNDARY of the supports; nodes of beams and shells alone can rotate."""
-    held = supports_of(model.deck, model.nodes) & model.used[:, None]
+    held = model.held & model.used[:, None]
     held[:, 3:] &= model.rotating[:, None]
     values = [f"{row + 1},{dof + 1},{dof + 1}" for row, dof in np.argwhere(held).tolist()]
     return ["*BOUNDARY", *values] if values else []
