@@ -125,11 +125,11 @@ def _of_beam(model: Model, channel: Channel) -> Plan:
         raise NotReportedError(f"calculix does not report {channel.component!r} of beam {channel.beam}")
     if channel.component == "plastic-strain":
         return _plastic(member)
-    name, ends, area = f"EL{member.number}", _ends(model, member), 1.0
+    name, ends, factor = f"EL{member.number}", _ends(model, member), member.stress
     if channel.component == "axial-force":
         table = next(t for t in model.deck.all(ELEMENT_BEAM) if channel.beam in t.eid)
         part = model.deck.find(PART, pid=int(table.pid[table.eid == channel.beam][0]))
-        area = float(model.deck.find(SECTION_BEAM, secid=part.secid).a)
+        factor *= float(model.deck.find(SECTION_BEAM, secid=part.secid).a)
 
     def value(printed: Printed) -> Array:
         along = ends(printed)
@@ -137,7 +137,7 @@ def _of_beam(model: Model, channel: Channel) -> Plan:
         xx, yy, zz, xy, xz, yz = printed["stresses", name][:, :, 2:].mean(axis=1).T
         e = along.T
         normal = xx * e[0] ** 2 + yy * e[1] ** 2 + zz * e[2] ** 2
-        return np.asarray(area * (normal + 2.0 * (xy * e[0] * e[1] + xz * e[0] * e[2] + yz * e[1] * e[2])))
+        return np.asarray(factor * (normal + 2.0 * (xy * e[0] * e[1] + xz * e[0] * e[2] + yz * e[1] * e[2])))
 
     nodes = [_of_nodes(ends, f"NODE{row + 1}", [row], "displacements") for row in member.rows]
     return _joined(value, *nodes, _of_elements(value, name, [member.number], "S"), start=0.0)

@@ -19,8 +19,8 @@ Array = NDArray[np.float64]
 Key = tuple[str, str]  # quantity, set
 
 HEAD = re.compile(r" (?P<quantity>[a-z ]+?) ?(?:\(.*\))? ?for set (?P<set>\S+) and time +(?P<time>\S+)\s*")
-NUMBER = re.compile(r"[+-]?\d*\.?\d+(?:E[+-]?\d+)?")
-NO_LETTER = re.compile(r"([+-]?\d\.\d+)([+-]\d{3})")
+NUMBER = re.compile(r"\d+|[+-]?\d\.\d{6,7}E[+-]\d\d")
+NO_LETTER = re.compile(r"([+-]?\d\.\d{6,7})([+-]\d{3})")
 SAME = 1e-6  # of the time: it has seven digits
 
 

@@ -14,29 +14,32 @@ SUPPORTS = (
 FAR = 10.0  # plastic strain at which the table of hardening ends
 
 
-def of(model: Model, material: Entry, form: str = "MAT") -> str:
-    """The name of the material in CalculiX, which is added once; the form BAR of an elastic one has PR = 0."""
-    name = f"{form}{material.mid}"
+def of(model: Model, material: Entry, form: str = "MAT", factor: float = 1.0) -> str:
+    """The name of the material in CalculiX, which is added once; the form BAR of an elastic one has PR = 0.
+
+    The `factor` is of its moduli, density and yield stress.
+    """
+    name = f"{form}{material.mid}" + (f"X{factor:.6g}".replace(".", "P") if factor != 1.0 else "")
     if name not in model.materials:
         plastic = material.keyword is MAT_PLASTIC_KINEMATIC
         pr = 0.0 if form == "BAR" and not plastic else material.pr
         model.materials[name] = [
             f"*MATERIAL,NAME={name}",
             "*ELASTIC",
-            f"{real(material.e)},{real(pr)}",
+            f"{real(factor * material.e)},{real(pr)}",
             "*DENSITY",
-            real(material.ro),
-            *(_hardening(material) if plastic else []),
+            real(factor * material.ro),
+            *(_hardening(material, factor) if plastic else []),
         ]
     return name
 
 
-def _hardening(material: Entry) -> list[str]:
+def _hardening(material: Entry, factor: float) -> list[str]:
     """Yield stress over plastic strain, of the slope H = E ET/(E - ET)."""
     h = material.e * material.etan / (material.e - material.etan)
     kind = "ISOTROPIC" if material.beta else "KINEMATIC"
     return [
         f"*PLASTIC,HARDENING={kind}",
-        f"{real(material.sigy)},0.",
-        f"{real(material.sigy + h * FAR)},{real(FAR)}",
+        f"{real(factor * material.sigy)},0.",
+        f"{real(factor * (material.sigy + h * FAR))},{real(FAR)}",
     ]

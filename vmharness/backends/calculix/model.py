@@ -19,10 +19,11 @@ Lines = list[str]
 
 @dataclass(frozen=True)
 class Member:
-    """An element: its number in CalculiX, and the rows of its nodes."""
+    """An element: its number in CalculiX, the rows of its nodes, and the stress of the deck over that of CalculiX."""
 
     number: int
     rows: tuple[int, ...]
+    stress: float = 1.0
 
 
 @dataclass
@@ -47,7 +48,7 @@ class Model:
     equations: Lines = field(default_factory=list)
     corners: dict[int, dict[float, list[int]]] = field(
         default_factory=dict
-    )  # numbers of added nodes, by row and area
+    )  # numbers of added nodes, by row and side
     added: list[Array] = field(default_factory=list)  # coordinates of added nodes
     amplitudes: Lines = field(default_factory=list)
     driven: Lines = field(default_factory=list)  # *BOUNDARY of the step
@@ -67,12 +68,13 @@ class Model:
         name: str,
         rows: Sequence[int],
         numbers: Sequence[int] = (),
+        stress: float = 1.0,
     ) -> None:
         """Add an element of a type of CalculiX to the element set `name`; its nodes are the rows, or the `numbers`."""
         self.count += 1
         rows = [int(row) for row in rows]
         self.used[rows] = True
-        self.members[keyword.name, eid] = Member(self.count, tuple(rows))
+        self.members[keyword.name, eid] = Member(self.count, tuple(rows), stress)
         self.elements += [
             f"*ELEMENT,TYPE={kind},ELSET={name}",
             ",".join(map(str, [self.count, *(numbers or [1 + row for row in rows])])),
