@@ -52,12 +52,12 @@ def add(deck: Deck, model: Model) -> None:
                 ]
                 model.add(entry.keyword, int(entry.eid[i]), "B31", name, ends)
                 model.rotating[ends] = model.expanded[ends] = True
+                model.work += 1.0
             if name not in sections:
                 model.sections += lines
                 sections.add(name)
             model.join(int(ends[0]), int(ends[1]), material.e * section.a / length)
             model.mass[ends] += 0.5 * material.ro * section.a * length
-            model.continua += 1
 
 
 def _across(model: Model, ends: np.ndarray, third: int) -> np.ndarray:

@@ -203,7 +203,7 @@ def _of_energy(model: Model, channel: Channel) -> Plan:
                 "velocities",
             )
         )
-    if model.continua:
+    if model.work:
         parts.append(
             _of_elements(lambda printed: printed[KINETIC, "EVERY"][:, 0, 0], "EVERY", _all(model), "ELKE")
         )

@@ -56,7 +56,7 @@ class Model:
         default_factory=dict
     )  # (row, axis): factor by LCID
     members: dict[tuple[str, int], Member] = field(default_factory=dict)  # (keyword, EID)
-    continua: int = 0  # elements that are solids to CalculiX
+    work: float = 0.0  # elements that are solids to CalculiX, by the time that a step takes for them
     preloaded: bool = False  # the strain energy of springs has another zero
     count: int = 0  # elements so far
 

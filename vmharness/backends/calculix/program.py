@@ -8,6 +8,7 @@ import numpy as np
 from vmharness.backends.calculix import PROGRAM
 from vmharness.backends.calculix.channels import Plan
 from vmharness.backends.calculix.dat import Array, DatError, read
+from vmharness.backends.calculix.masses import free
 from vmharness.backends.calculix.translate import model_of, plans, steps, written
 from vmharness.backends.protocol import Job, Output
 from vmharness.deck import DeckError
@@ -52,6 +53,11 @@ def run(job: Job) -> Output:
             "Integrator": SCHEME,
             "Time step": f"{end / count:.6g}, constant",
             "Precision": "seven digits, as printed in job.dat",
+            **(
+                {"Free masses": "on springs too soft to act, without which ccx does not move them"}
+                if free(model)
+                else {}
+            ),
         },
         cycles=count,
         seconds=seconds,

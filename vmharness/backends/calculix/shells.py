@@ -50,4 +50,4 @@ def add(deck: Deck, model: Model) -> None:
             for first, second in zip(corners, np.roll(corners, -1), strict=True):
                 model.join(int(first), int(second), stiffness)
             model.expanded[corners] = model.rotating[corners] = True
-            model.continua += 1
+            model.work += 1.0

@@ -34,7 +34,7 @@ def add(deck: Deck, model: Model) -> None:
                 sections.add(part.pid)
                 model.sections.append(f"*SOLID SECTION,ELSET={name},MATERIAL={of(model, material)}")
             _lump(model, corners, material.e, material.pr, material.ro)
-            model.continua += 1
+            model.work += 1.0
 
 
 def _lump(model: Model, corners: np.ndarray, e: float, nu: float, rho: float) -> None:

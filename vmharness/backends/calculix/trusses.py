@@ -33,6 +33,7 @@ def add(
         numbers = [*_section(model, first, axis, side), *_section(model, second, axis, side)]
         name = f"BAR{pid}{law}"
         model.add(entry.keyword, eid, "C3D8", name, ends.tolist(), numbers, side**2 / section.a)
+        model.work += 0.25  # most of its degrees of freedom are tied
         return name, [f"*SOLID SECTION,ELSET={name},MATERIAL={law}"]
     if material.keyword is not MAT_ELASTIC:
         what = "calculix: a plastic truss must be parallel to an axis, and its nodes held across it"
@@ -40,6 +41,7 @@ def add(
     name = f"TRUSS{pid}"
     model.add(entry.keyword, eid, "T3D2", name, ends.tolist())
     model.expanded[ends] = True
+    model.work += 1.0
     head = f"*SOLID SECTION,ELSET={name},MATERIAL={of(model, material, 'BAR')}"
     return name, [head, real(section.a)]
 
