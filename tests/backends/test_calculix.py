@@ -9,6 +9,7 @@ import pytest
 
 from vmharness import deck
 from vmharness.backends import backend, calculix
+from vmharness.backends.calculix import masses
 from vmharness.backends.calculix.dat import DatError
 from vmharness.backends.calculix.dat import read as read_dat
 from vmharness.backends.calculix.model import real
@@ -124,6 +125,29 @@ def test_initial_velocities_of_shells_are_not_representable(tmp_path):
     (tmp_path / "deck.k").write_text(text)
     with pytest.raises(DeckError, match=r"\*INITIAL_VELOCITY_NODE: .*do not reach"):
         model_of(deck.read(tmp_path / "deck.k", deck.vocabulary()))
+
+
+def test_large_strains_of_elastic_solids_follow_another_law():
+    with pytest.raises(DeckError, match="St Venant-Kirchhoff"):
+        model_of(read_deck(read(CASES / "D-43")))
+
+
+def test_a_mass_that_no_element_holds_gets_a_spring_too_soft_to_act():
+    case = read(CASES / "D-01")
+    model = model_of(read_deck(case))
+    anchors = masses.anchors(model)
+    assert [line.split(",")[1] for line in anchors[1::5]] == ["5"] * 3 + ["6"] * 3
+    end = case.evaluate("t_end")
+    assert [float(line) * end**2 for line in anchors[4::5]] == pytest.approx([2e-10] * 3 + [5e-10] * 3)
+
+
+@installed
+def test_a_free_mass_falls_as_fast_as_digits_show(tmp_path):
+    found = run(read(CASES / "D-01"), backend("calculix"), folder=tmp_path)
+    errors = {row.key: row.comparison.error_percent for row in found.rows if row not in found.unreported}
+    assert len(errors) == 10
+    assert max(map(abs, errors.values())) < 1e-3
+    assert "Free masses" in found.solution.facts
 
 
 @pytest.mark.parametrize(("old", "new"), [("B*H**3/12.0", "B*H**3/11.0"), ("0.229", "0.2")])

@@ -10,6 +10,7 @@ from vmharness.deck.keywords.boundary.prescribed_motion import (
 )
 from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.deck.keywords.define.curve import DEFINE_CURVE, points
+from vmharness.deck.keywords.element.solid import ELEMENT_SOLID
 from vmharness.deck.rule import among, at_least, only
 from vmharness.deck.support import supports
 from vmharness.mesh.dof import place
@@ -17,6 +18,7 @@ from vmharness.mesh.sets import node_set
 
 KEYWORDS = (BOUNDARY_PRESCRIBED_MOTION_NODE, BOUNDARY_PRESCRIBED_MOTION_SET)
 VELOCITY, DISPLACEMENT = 0, 2  # VAD
+SMALL = 0.05  # of the size of the model, which a driven node may move
 SAMPLES = 20_000  # of a displacement that is the integral of a velocity that changes
 
 SUPPORTS = tuple(
@@ -36,11 +38,23 @@ def add(deck: Deck, model: Model) -> None:
     """Add an amplitude for each card, and a constraint for each of its nodes."""
     end = deck.one(CONTROL_TERMINATION).endtim
     for number, entry in enumerate([entry for entry in deck.entries if entry.keyword in KEYWORDS]):
-        path = np.column_stack(displacement(deck, entry, 1.01 * end)).ravel()
-        model.amplitudes += [f"*AMPLITUDE,NAME=MOTION{number}", *table(path, 8)]
+        t, u = displacement(deck, entry, 1.01 * end)
+        _refuse_large_strain(model, entry, float(np.abs(u[t <= 1.01 * end]).max()))
+        model.amplitudes += [f"*AMPLITUDE,NAME=MOTION{number}", *table(np.column_stack([t, u]).ravel(), 8)]
         dof = place(entry) + 1
         model.driven.append(f"*BOUNDARY,AMPLITUDE=MOTION{number}")
         model.driven += [f"{row + 1},{dof},{dof},1." for row in moved(model, entry)]
+
+
+def _refuse_large_strain(model: Model, entry: Entry, u: float) -> None:
+    """Raise DeckError where solids are driven by more than a small part of the size of the model."""
+    size = float(np.ptp(model.nodes.x0[model.used], axis=0).max())
+    if u > SMALL * size and any(name == ELEMENT_SOLID.name for name, _ in model.members):
+        what = (
+            f"calculix: the motion is {u / size:.3g} of the size of the model; at large strain its elastic law, "
+            "St Venant-Kirchhoff, is another one than that of *MAT_ELASTIC, a rate by Jaumann"
+        )
+        raise entry.error(None, what)
 
 
 def moved(model: Model, entry: Entry) -> list[int]:
