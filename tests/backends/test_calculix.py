@@ -10,6 +10,7 @@ import pytest
 from vmharness import deck
 from vmharness.backends import backend, calculix
 from vmharness.backends.calculix import masses
+from vmharness.backends.calculix.clock import amplitude, clock
 from vmharness.backends.calculix.dat import DatError
 from vmharness.backends.calculix.dat import read as read_dat
 from vmharness.backends.calculix.model import real
@@ -32,7 +33,7 @@ def input_of(id):
     case = read(CASES / id)
     model = model_of(read_deck(case))
     wanted, _ = plans(model, case.file.channels)
-    return written(model, wanted.values(), steps(model))
+    return written(model, wanted.values(), clock(model, steps(model)))
 
 
 @installed
@@ -102,7 +103,8 @@ def test_loads_of_several_curves_on_one_node_become_one(tmp_path):
     curve = "                 0.0                 0.0\n              1000.0              1000.0\n"
     text = (CASES / "VM-075" / "deck.k").read_text().replace("*END", f"{load}{curve}*END")
     (tmp_path / "deck.k").write_text(text)
-    lines = written(model_of(deck.read(tmp_path / "deck.k", deck.vocabulary())), [], 100)
+    model = model_of(deck.read(tmp_path / "deck.k", deck.vocabulary()))
+    lines = written(model, [], clock(model, 100))
     assert sum(line.startswith("3,1,") for line in lines[-20:]) == 1
     assert "0.,1.,1000.,16." in lines  # 1 + 3 t/200, times the 200 of the first load
 
@@ -125,6 +127,19 @@ def test_initial_velocities_of_shells_are_not_representable(tmp_path):
     (tmp_path / "deck.k").write_text(text)
     with pytest.raises(DeckError, match=r"\*INITIAL_VELOCITY_NODE: .*do not reach"):
         model_of(deck.read(tmp_path / "deck.k", deck.vocabulary()))
+
+
+@pytest.mark.parametrize(("id", "starts_before"), [("D-37", False), ("D-49", True), ("VM-075", False)])
+def test_only_loads_on_solids_with_incompatible_modes_start_from_zero(id, starts_before):
+    model = model_of(read_deck(read(CASES / id)))
+    ticks = clock(model, 100)
+    end = model.deck.one("CONTROL_TERMINATION").endtim
+    assert ticks.before == pytest.approx(0.5 * ticks.dt if starts_before else 0.0)
+    assert ticks.times[-1] == pytest.approx(end)
+    t, value = np.array([0.0, 1000.0]), np.array([2.0, 2.0])
+    points = np.array(amplitude("A", t, value, ticks)[1].split(","), float).reshape(-1, 2)
+    impulse = np.trapezoid(np.interp(ticks.dt * np.arange(101), *points.T), dx=ticks.dt)
+    assert impulse == pytest.approx(2.0 * end, rel=1e-9)
 
 
 def test_large_strains_of_elastic_solids_follow_another_law():

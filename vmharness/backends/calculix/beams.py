@@ -53,6 +53,7 @@ def add(deck: Deck, model: Model) -> None:
                 model.add(entry.keyword, int(entry.eid[i]), "B31", name, ends)
                 model.rotating[ends] = model.expanded[ends] = True
                 model.work += 1.0
+                model.kicked = True
             if name not in sections:
                 model.sections += lines
                 sections.add(name)

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from vmharness.backends.calculix.model import Lines, Model, real, table
+from vmharness.backends.calculix.clock import Clock, amplitude
+from vmharness.backends.calculix.model import Lines, Model, real
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.define.curve import DEFINE_CURVE, points
 from vmharness.deck.keywords.load.body import LOAD_BODY_X, LOAD_BODY_Y, LOAD_BODY_Z
@@ -58,7 +59,7 @@ def _pressure(deck: Deck, model: Model, entry: Entry) -> np.ndarray:
     return force
 
 
-def amplitudes(model: Model) -> Lines:
+def amplitudes(model: Model, clock: Clock) -> Lines:
     """An amplitude for each combination of curves that acts on a node: CalculiX adds no two loads on one node."""
     lines: Lines = []
     for name, curves in _combinations(model).items():
@@ -67,7 +68,7 @@ def amplitudes(model: Model) -> Lines:
         total = np.sum(
             [factor * np.interp(t, *curve) for (_, factor), curve in zip(curves, found, strict=True)], axis=0
         )
-        lines += [f"*AMPLITUDE,NAME={name}", *table(np.column_stack([t, total]).ravel(), 8)]
+        lines += amplitude(name, t, total, clock)
     return lines
 
 

@@ -50,13 +50,16 @@ class Model:
         default_factory=dict
     )  # numbers of added nodes, by row and side
     added: list[Array] = field(default_factory=list)  # coordinates of added nodes
-    amplitudes: Lines = field(default_factory=list)
+    motions: dict[str, tuple[Array, Array]] = field(
+        default_factory=dict
+    )  # amplitude: times and displacements
     driven: Lines = field(default_factory=list)  # *BOUNDARY of the step
     loads: dict[tuple[int, int], dict[int, float]] = field(
         default_factory=dict
     )  # (row, axis): factor by LCID
     members: dict[tuple[str, int], Member] = field(default_factory=dict)  # (keyword, EID)
     work: float = 0.0  # elements that are solids to CalculiX, by the time that a step takes for them
+    kicked: bool = False  # it has elements that a sudden load sets into vibration: see clock.py
     preloaded: bool = False  # the strain energy of springs has another zero
     count: int = 0  # elements so far
 

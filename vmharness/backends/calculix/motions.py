@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from vmharness.backends.calculix.model import Model, table
+from vmharness.backends.calculix.model import Model
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.boundary.prescribed_motion import (
     BOUNDARY_PRESCRIBED_MOTION_NODE,
@@ -40,7 +40,7 @@ def add(deck: Deck, model: Model) -> None:
     for number, entry in enumerate([entry for entry in deck.entries if entry.keyword in KEYWORDS]):
         t, u = displacement(deck, entry, 1.01 * end)
         _refuse_large_strain(model, entry, float(np.abs(u[t <= 1.01 * end]).max()))
-        model.amplitudes += [f"*AMPLITUDE,NAME=MOTION{number}", *table(np.column_stack([t, u]).ravel(), 8)]
+        model.motions[f"MOTION{number}"] = t, u
         dof = place(entry) + 1
         model.driven.append(f"*BOUNDARY,AMPLITUDE=MOTION{number}")
         model.driven += [f"{row + 1},{dof},{dof},1." for row in moved(model, entry)]

@@ -7,12 +7,13 @@ import numpy as np
 
 from vmharness.backends.calculix import PROGRAM
 from vmharness.backends.calculix.channels import Plan
+from vmharness.backends.calculix.clock import Clock, clock
 from vmharness.backends.calculix.dat import Array, DatError, read
 from vmharness.backends.calculix.masses import free
+from vmharness.backends.calculix.model import Model
 from vmharness.backends.calculix.translate import model_of, plans, steps, written
 from vmharness.backends.protocol import Job, Output
 from vmharness.deck import DeckError
-from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.execution import program
 from vmharness.execution.program import ProgramError
 from vmharness.history import History
@@ -32,37 +33,40 @@ def run(job: Job) -> Output:
     except DeckError as error:
         return Output(None, unrepresentable=str(error))
     wanted, missing = plans(model, job.channels)
-    count, end = steps(model), model.deck.one(CONTROL_TERMINATION).endtim
-    text = "\n".join(written(model, wanted.values(), count))
+    ticks = clock(model, steps(model))
+    text = "\n".join(written(model, wanted.values(), ticks))
     (job.folder / f"{NAME}.inp").write_text(f"{text}\n", encoding="ascii")
     began = time.perf_counter()
     printed = program.run([PROGRAM, NAME], job.folder, ONE_THREAD)
     seconds = time.perf_counter() - began
-    times = end / count * np.arange(1, count + 1)
     try:
         if "*ERROR" in printed:
             raise DatError("it reports an error")
-        found = read(job.folder / f"{NAME}.dat", times) if wanted else {}
+        found = read(job.folder / f"{NAME}.dat", ticks.times + ticks.before) if wanted else {}
     except DatError as error:
         raise ProgramError(
             f"{PROGRAM} ended without a complete result: {error}{program.tail(printed)}"
         ) from None
     return Output(
-        _history(times, {name: one.value(found) for name, one in wanted.items()}, wanted),
-        facts={
-            "Integrator": SCHEME,
-            "Time step": f"{end / count:.6g}, constant",
-            "Precision": "seven digits, as printed in job.dat",
-            **(
-                {"Free masses": "on springs too soft to act, without which ccx does not move them"}
-                if free(model)
-                else {}
-            ),
-        },
-        cycles=count,
+        _history(ticks.times, {name: one.value(found) for name, one in wanted.items()}, wanted),
+        facts=_facts(model, ticks),
+        cycles=ticks.count,
         seconds=seconds,
         unreported=missing,
     )
+
+
+def _facts(model: Model, ticks: Clock) -> dict[str, str]:
+    facts = {
+        "Integrator": SCHEME,
+        "Time step": f"{ticks.dt:.6g}, constant",
+        "Precision": "seven digits, as printed in job.dat",
+    }
+    if ticks.before:
+        facts["Start"] = "half a step before the loads, which would kick solids C3D8I"
+    if free(model):
+        facts["Free masses"] = "on springs too soft to act, without which ccx does not move them"
+    return facts
 
 
 def _history(times: Array, values: Mapping[str, Array], wanted: Mapping[str, Plan]) -> History:

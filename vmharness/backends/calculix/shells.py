@@ -51,3 +51,4 @@ def add(deck: Deck, model: Model) -> None:
                 model.join(int(first), int(second), stiffness)
             model.expanded[corners] = model.rotating[corners] = True
             model.work += 1.0
+            model.kicked = True

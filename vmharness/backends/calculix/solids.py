@@ -35,6 +35,7 @@ def add(deck: Deck, model: Model) -> None:
                 model.sections.append(f"*SOLID SECTION,ELSET={name},MATERIAL={of(model, material)}")
             _lump(model, corners, material.e, material.pr, material.ro)
             model.work += 1.0
+            model.kicked = True
 
 
 def _lump(model: Model, corners: np.ndarray, e: float, nu: float, rho: float) -> None:

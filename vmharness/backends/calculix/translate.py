@@ -7,6 +7,7 @@ import numpy as np
 
 from vmharness.backends.calculix import beams, loads, masses, motions, shells, solids, springs, velocities
 from vmharness.backends.calculix.channels import NotReportedError, Plan, plan
+from vmharness.backends.calculix.clock import Clock, amplitude
 from vmharness.backends.calculix.model import Lines, Model, empty, real
 from vmharness.backends.calculix.supported import supported
 from vmharness.case.format import Channel
@@ -84,9 +85,8 @@ def critical_step(model: Model) -> float:
     return float(2.0 / np.sqrt((model.stiff[free] / model.mass[free]).max()))
 
 
-def written(model: Model, wanted: Iterable[Plan], count: int) -> Lines:
-    """All lines of the input file, for `count` steps."""
-    end = model.deck.one(CONTROL_TERMINATION).endtim
+def written(model: Model, wanted: Iterable[Plan], clock: Clock) -> Lines:
+    """All lines of the input file."""
     x = model.nodes.x0
     return [
         "*NODE,NSET=ALL",
@@ -96,15 +96,15 @@ def written(model: Model, wanted: Iterable[Plan], count: int) -> Lines:
         *masses.anchors(model),
         *(line for lines in model.materials.values() for line in lines),
         *model.sections,
-        *model.amplitudes,
-        *loads.amplitudes(model),
+        *(line for name, path in model.motions.items() for line in amplitude(name, *path, clock)),
+        *loads.amplitudes(model, clock),
         *model.equations,
         *_held(model),
         *velocities.lines(model),
         *_members(wanted),
-        f"*STEP,NLGEOM,INC={2 * count}",
+        f"*STEP,NLGEOM,INC={2 * clock.count}",
         "*DYNAMIC,DIRECT,ALPHA=0",
-        f"{real(end / count)},{real(end)}",
+        f"{real(clock.dt)},{real(clock.count * clock.dt)}",
         *model.driven,
         *loads.forces(model),
         *_printed(wanted),

@@ -42,6 +42,7 @@ def add(
     model.add(entry.keyword, eid, "T3D2", name, ends.tolist())
     model.expanded[ends] = True
     model.work += 1.0
+    model.kicked = True
     head = f"*SOLID SECTION,ELSET={name},MATERIAL={of(model, material, 'BAR')}"
     return name, [head, real(section.a)]
 
