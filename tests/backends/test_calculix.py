@@ -10,6 +10,7 @@ import pytest
 from vmharness import deck
 from vmharness.backends import backend, calculix
 from vmharness.backends.calculix import masses
+from vmharness.backends.calculix.channels import NotReportedError, plan
 from vmharness.backends.calculix.clock import amplitude, clock
 from vmharness.backends.calculix.dat import DatError
 from vmharness.backends.calculix.dat import read as read_dat
@@ -17,6 +18,7 @@ from vmharness.backends.calculix.model import real
 from vmharness.backends.calculix.translate import model_of, plans, steps, written
 from vmharness.case import read
 from vmharness.case.deck import read_deck
+from vmharness.case.format import Channel
 from vmharness.compare import Verdict
 from vmharness.deck import DeckError
 from vmharness.run import run
@@ -62,10 +64,28 @@ def test_a_problem_that_it_cannot_pose_is_neither_a_pass_nor_a_failure(tmp_path)
 
 
 def test_channels_that_it_does_not_give_are_named():
-    case = read(CASES / "VM-091")
+    case = read(CASES / "VM-084")
     wanted, missing = plans(model_of(read_deck(case)), case.file.channels)
-    assert {"x", "y", "v"} == set(wanted)
-    assert missing["S"] == "calculix does not report 'force' of spring 1"
+    assert {"u_load", "v_free", "strain"} < set(wanted)
+    assert missing["work"] == "calculix does not report the energy 'external work'"
+
+
+def test_the_force_of_a_spring_is_the_reaction_of_a_node_that_it_alone_holds():
+    case = read(CASES / "VM-091")
+    (spring,) = [
+        plan(model_of(read_deck(case)), channel)
+        for channel in case.file.channels.values()
+        if channel.component == "force"
+    ]
+    slack = {("displacements", f"NODE{node}"): np.array([[[node, 0.0, 0.0, 0.0]]]) for node in (1, 2)}
+    model = model_of(read_deck(case))
+    along = model.nodes.x0[1] - model.nodes.x0[0]
+    pull = 3.0 * along / np.linalg.norm(along)
+    held = np.concatenate([[1.0], -pull])[None, None]
+    assert spring.value({**slack, ("forces", "NODE1"): held}) == pytest.approx([3.0])
+    shared = read(CASES / "VM-182")
+    with pytest.raises(NotReportedError, match="spring 1"):
+        plan(model_of(read_deck(shared)), Channel(text="", discrete=1, component="force"))
 
 
 def test_it_says_how_to_install_what_is_missing(monkeypatch):

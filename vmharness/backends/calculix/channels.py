@@ -95,8 +95,16 @@ def _of_node(model: Model, channel: Channel) -> Plan:
 
 def _of_discrete(model: Model, channel: Channel) -> Plan:
     member = model.members.get((ELEMENT_DISCRETE.name, channel.discrete or 0))
-    if member is None or channel.component != "elongation":
-        raise NotReportedError(f"calculix does not report {channel.component!r} of spring {channel.discrete}")
+    if member is not None and channel.component == "elongation":
+        return _elongation(model, channel, member)
+    if member is not None and channel.component == "force":
+        for end, sign in ((0, -1.0), (1, 1.0)):
+            if _alone(model, member.rows[end]):
+                return _force(model, member, end, sign)
+    raise NotReportedError(f"calculix does not report {channel.component!r} of spring {channel.discrete}")
+
+
+def _elongation(model: Model, channel: Channel, member: Member) -> Plan:
     tables = model.deck.all(ELEMENT_DISCRETE)
     offset = next(float(t.offset[t.eid == channel.discrete][0]) for t in tables if channel.discrete in t.eid)
     length, ends = model.length(*member.rows), _ends(model, member)
@@ -104,6 +112,26 @@ def _of_discrete(model: Model, channel: Channel) -> Plan:
     return _joined(
         lambda printed: np.linalg.norm(ends(printed), axis=1) - length + offset, *nodes, start=offset
     )
+
+
+def _alone(model: Model, row: int) -> bool:
+    """Whether a node is held, and no element but one spring joins it: its reaction is the force of that."""
+    joined = [name for (name, _), member in model.members.items() if row in member.rows]
+    dampers = model.deck.all(MAT_DAMPER_VISCOUS)
+    return joined == [ELEMENT_DISCRETE.name] and not dampers and bool(model.held[row, :3].all())
+
+
+def _force(model: Model, member: Member, end: int, sign: float) -> Plan:
+    """The force of the spring on a held end, along the line to the other: CalculiX prints none for a spring."""
+    ends, name = _ends(model, member), f"NODE{member.rows[end] + 1}"
+
+    def value(printed: Printed) -> Array:
+        along = ends(printed)
+        along /= np.linalg.norm(along, axis=1)[:, None]
+        return np.asarray(sign * (along * printed["forces", name][:, 0, 1:]).sum(axis=1))
+
+    nodes = [_of_nodes(ends, f"NODE{row + 1}", [row], "displacements") for row in member.rows]
+    return _joined(value, *nodes, _of_nodes(value, name, [member.rows[end]], "forces"))
 
 
 def _ends(model: Model, member: Member) -> Callable[[Printed], Array]:
