@@ -10,11 +10,12 @@ import pytest
 from vmharness import deck
 from vmharness.backends import backend, calculix
 from vmharness.backends.calculix import masses
-from vmharness.backends.calculix.channels import NotReportedError, plan
+from vmharness.backends.calculix.channels import plan
 from vmharness.backends.calculix.clock import amplitude, clock
 from vmharness.backends.calculix.dat import DatError
 from vmharness.backends.calculix.dat import read as read_dat
 from vmharness.backends.calculix.model import real
+from vmharness.backends.calculix.plan import NotReportedError
 from vmharness.backends.calculix.translate import model_of, plans, steps, written
 from vmharness.case import read
 from vmharness.case.deck import read_deck
@@ -86,6 +87,18 @@ def test_the_force_of_a_spring_is_the_reaction_of_a_node_that_it_alone_holds():
     shared = read(CASES / "VM-182")
     with pytest.raises(NotReportedError, match="spring 1"):
         plan(model_of(read_deck(shared)), Channel(text="", discrete=1, component="force"))
+
+
+def test_stress_of_a_shell_is_in_its_own_frame():
+    case = read(CASES / "D-49")
+    model = model_of(read_deck(case))
+    hoop = plan(model, case.file.channels["s"])
+    corners = model.nodes.x0[list(model.members["ELEMENT_SHELL", 1].rows)]
+    along = (corners[1] - corners[0]) / np.linalg.norm(corners[1] - corners[0])
+    tensor = 5.0 * np.outer(along, along)
+    row = [tensor[0, 0], tensor[1, 1], tensor[2, 2], tensor[0, 1], tensor[0, 2], tensor[1, 2]]
+    lower, upper = [[[1, k, *row] for k in range(4)], [[1, k, *6 * [99.0]] for k in range(4)]]
+    assert hoop.value({("stresses", "EL1"): np.array([[*lower, *upper]])}) == pytest.approx([5.0])
 
 
 def test_it_says_how_to_install_what_is_missing(monkeypatch):

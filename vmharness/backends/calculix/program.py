@@ -6,11 +6,11 @@ from collections.abc import Mapping
 import numpy as np
 
 from vmharness.backends.calculix import PROGRAM
-from vmharness.backends.calculix.channels import Plan
 from vmharness.backends.calculix.clock import Clock, clock
 from vmharness.backends.calculix.dat import Array, DatError, read
 from vmharness.backends.calculix.masses import free
 from vmharness.backends.calculix.model import Model
+from vmharness.backends.calculix.plan import Plan
 from vmharness.backends.calculix.translate import model_of, plans, steps, written
 from vmharness.backends.protocol import Job, Output
 from vmharness.deck import DeckError

@@ -6,9 +6,10 @@ from math import ceil
 import numpy as np
 
 from vmharness.backends.calculix import beams, loads, masses, motions, shells, solids, springs, velocities
-from vmharness.backends.calculix.channels import NotReportedError, Plan, plan
+from vmharness.backends.calculix.channels import plan
 from vmharness.backends.calculix.clock import Clock, amplitude
 from vmharness.backends.calculix.model import Lines, Model, empty, real
+from vmharness.backends.calculix.plan import NotReportedError, Plan
 from vmharness.backends.calculix.supported import supported
 from vmharness.case.format import Channel
 from vmharness.deck import Deck, DeckError, Entry, Finding, support
