@@ -38,9 +38,11 @@ def of_nodes(value: Callable[[Printed], Array], name: str, rows: list[int], *qua
 
 
 def of_elements(value: Callable[[Printed], Array], name: str, numbers: list[int], label: str) -> Plan:
-    total = ",TOTALS=ONLY" if label in ("ELSE", "ELKE") else ""
+    how = {"S": ",GLOBAL=YES", "ELSE": ",TOTALS=ONLY", "ELKE": ",TOTALS=ONLY"}.get(
+        label, ""
+    )  # not local axes
     sets = {("ELSET", name, tuple(numbers))}
-    return Plan(value, frozenset(sets), frozenset({(f"*EL PRINT,ELSET={name}{total}", label)}))
+    return Plan(value, frozenset(sets), frozenset({(f"*EL PRINT,ELSET={name}{how}", label)}))
 
 
 def joined(value: Callable[[Printed], Array], *plans: Plan, start: float | None = None) -> Plan:
