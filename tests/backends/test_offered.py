@@ -19,7 +19,7 @@ def found():
 def test_a_solver_of_another_package_is_listed_without_an_import_and_found_by_its_name(installed):
     installed("broken", "1 / 0")
     installed("other", SOUND)
-    assert names() == ["broken", "builtin", "mujoco", "opensees", "other"]
+    assert names() == ["broken", "builtin", "calculix", "mujoco", "opensees", "other"]
     assert backend("other").found().version == "2.1"
 
 

@@ -49,11 +49,11 @@ def run(argv: Sequence[str | Path], folder: Path, environment: Mapping[str, str]
             process.wait()
     printed = output.read_text(encoding="utf-8", errors="replace")
     if code:
-        raise ProgramError(f"{Path(words[0]).name} failed, {ending(code)}{_tail(printed)}")
+        raise ProgramError(f"{Path(words[0]).name} failed, {ending(code)}{tail(printed)}")
     return printed
 
 
-def _tail(printed: str) -> str:
+def tail(printed: str) -> str:
     """The last lines of the output, as the end of a message."""
     lines = printed.rstrip().splitlines()[-TAIL:]
     return "".join([":", *(f"\n  {line}" for line in lines)]) if lines else ", and printed nothing"
