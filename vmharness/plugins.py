@@ -35,7 +35,7 @@ def rooms(package: str) -> list[str]:
     """Names of the sub-packages in the folder of `package`: where each drop-in is a folder of its own.
 
     >>> rooms("vmharness.backends")
-        ['builtin', 'calculix', 'mujoco', 'opensees']
+    ['builtin', 'calculix', 'mujoco', 'opensees']
     """
     path = import_module(package).__path__
     return sorted(
