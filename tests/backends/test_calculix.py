@@ -16,7 +16,8 @@ from vmharness.backends.calculix.dat import DatError
 from vmharness.backends.calculix.dat import read as read_dat
 from vmharness.backends.calculix.model import real
 from vmharness.backends.calculix.plan import NotReportedError
-from vmharness.backends.calculix.translate import model_of, plans, steps, written
+from vmharness.backends.calculix.translate import model_of, steps, written
+from vmharness.backends.translation import planned
 from vmharness.case import read
 from vmharness.case.deck import read_deck
 from vmharness.case.format import Channel
@@ -35,7 +36,7 @@ programs = pytest.mark.skipif(os.name != "posix", reason="the stand-in for ccx i
 def input_of(id):
     case = read(CASES / id)
     model = model_of(read_deck(case))
-    wanted, _ = plans(model, case.file.channels)
+    wanted, _ = planned(model, case.file.channels, plan)
     return written(model, wanted.values(), clock(model, steps(model)))
 
 
@@ -66,7 +67,7 @@ def test_a_problem_that_it_cannot_pose_is_neither_a_pass_nor_a_failure(tmp_path)
 
 def test_channels_that_it_does_not_give_are_named():
     case = read(CASES / "VM-084")
-    wanted, missing = plans(model_of(read_deck(case)), case.file.channels)
+    wanted, missing = planned(model_of(read_deck(case)), case.file.channels, plan)
     assert {"u_load", "v_free", "strain"} < set(wanted)
     assert missing["work"] == "calculix does not report the energy 'external work'"
 

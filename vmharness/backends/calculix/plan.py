@@ -7,15 +7,12 @@ import numpy as np
 
 from vmharness.backends.calculix.dat import Array, Key
 from vmharness.backends.calculix.model import Member, Model
+from vmharness.backends.translation import NotReportedError
 from vmharness.case.format import Channel
 
 Printed = Mapping[Key, Array]
 AXES = {"x": 0, "y": 1, "z": 2}
 HEADS = {"displacements": "U", "velocities": "V", "forces": "RF"}
-
-
-class NotReportedError(ValueError):
-    """CalculiX, as it is driven here, does not give a quantity."""
 
 
 @dataclass(frozen=True)

@@ -6,13 +6,15 @@ from collections.abc import Mapping
 import numpy as np
 
 from vmharness.backends.calculix import PROGRAM
+from vmharness.backends.calculix.channels import plan
 from vmharness.backends.calculix.clock import Clock, clock
 from vmharness.backends.calculix.dat import Array, DatError, read
 from vmharness.backends.calculix.masses import free
 from vmharness.backends.calculix.model import Model
 from vmharness.backends.calculix.plan import Plan
-from vmharness.backends.calculix.translate import model_of, plans, steps, written
+from vmharness.backends.calculix.translate import model_of, steps, written
 from vmharness.backends.protocol import Job, Output
+from vmharness.backends.translation import planned
 from vmharness.deck import DeckError
 from vmharness.execution import program
 from vmharness.execution.program import ProgramError
@@ -32,7 +34,7 @@ def run(job: Job) -> Output:
         model = model_of(job.deck)
     except DeckError as error:
         return Output(None, unrepresentable=str(error))
-    wanted, missing = plans(model, job.channels)
+    wanted, missing = planned(model, job.channels, plan)
     ticks = clock(model, steps(model))
     text = "\n".join(written(model, wanted.values(), ticks))
     (job.folder / f"{NAME}.inp").write_text(f"{text}\n", encoding="ascii")

@@ -9,11 +9,12 @@ from vmharness.backends.calculix import beams, loads, masses, motions, shells, s
 from vmharness.backends.calculix.channels import plan
 from vmharness.backends.calculix.clock import Clock, amplitude
 from vmharness.backends.calculix.model import Lines, Model, empty, real
-from vmharness.backends.calculix.plan import NotReportedError, Plan
+from vmharness.backends.calculix.plan import Plan
 from vmharness.backends.calculix.supported import supported
+from vmharness.backends.translation import reviewed
 from vmharness.case.format import Channel
-from vmharness.deck import Deck, DeckError, Entry, Finding, support
-from vmharness.deck.finding import in_order, refuse_unsupported, unsupported
+from vmharness.deck import Deck, Entry, Finding, support
+from vmharness.deck.finding import refuse_unsupported
 from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.mesh.nodes import nodes_of
@@ -29,19 +30,7 @@ PASSES = (springs, beams, shells, solids, masses, motions, loads, velocities)
 
 def review(deck: Deck, channels: Mapping[str, Channel]) -> list[Finding]:
     """What of the deck is not represented, which channels are not reported, and what has no effect."""
-    found = support.review(deck, supported())
-    if unsupported(found):
-        return in_order(deck, found)
-    try:
-        model = model_of(deck)
-    except DeckError as error:
-        return in_order(deck, [*found, *map(Finding, error.errors)])
-    for name, channel in channels.items():
-        try:
-            plan(model, channel)
-        except NotReportedError as error:
-            found.append(Finding(DeckError(f"[channels] {name}: {error}")))
-    return in_order(deck, found)
+    return reviewed(deck, channels, supported(), model_of, plan)
 
 
 def model_of(deck: Deck) -> Model:
@@ -51,18 +40,6 @@ def model_of(deck: Deck) -> Model:
     for module in PASSES:
         module.add(deck, model)
     return model
-
-
-def plans(model: Model, channels: Mapping[str, Channel]) -> tuple[dict[str, Plan], dict[str, str]]:
-    """How each channel is had, and why others are not reported."""
-    found: dict[str, Plan] = {}
-    missing: dict[str, str] = {}
-    for name, channel in channels.items():
-        try:
-            found[name] = plan(model, channel)
-        except NotReportedError as error:
-            missing[name] = str(error)
-    return found, missing
 
 
 def steps(model: Model) -> int:

@@ -2,16 +2,13 @@
 
 from vmharness.backends.mujoco.element import node_name, rigid_name, tendon_name, touch_name
 from vmharness.backends.mujoco.model import Model
+from vmharness.backends.translation import NotReportedError
 from vmharness.case.format import Channel
 
 Term = tuple[str, str, int, float]
 Sum = tuple[float, list[Term]]
 
 AXES = ("x", "y", "z")
-
-
-class NotReportedError(ValueError):
-    """MuJoCo, as it is driven here, does not give a quantity."""
 
 
 def terms(model: Model, channel: Channel) -> Sum:

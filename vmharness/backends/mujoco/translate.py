@@ -15,14 +15,15 @@ from vmharness.backends.mujoco import (
     trusses,
     velocities,
 )
-from vmharness.backends.mujoco.channels import NotReportedError, Sum, terms
+from vmharness.backends.mujoco.channels import terms
 from vmharness.backends.mujoco.element import node_name
 from vmharness.backends.mujoco.forces import GRIP, IMPEDANCE
 from vmharness.backends.mujoco.model import Model, empty
 from vmharness.backends.mujoco.supported import supported
+from vmharness.backends.translation import planned, reviewed
 from vmharness.case.format import Channel
-from vmharness.deck import Deck, DeckError, Finding, support
-from vmharness.deck.finding import in_order, refuse_unsupported, unsupported
+from vmharness.deck import Deck, Finding, support
+from vmharness.deck.finding import refuse_unsupported
 from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.mesh.nodes import nodes_of
 
@@ -33,19 +34,7 @@ SHOWN = 12  # facts of contacts
 
 def review(deck: Deck, channels: Mapping[str, Channel]) -> list[Finding]:
     """What of the deck is not represented, which channels are not reported, and what has no effect."""
-    found = support.review(deck, supported())
-    if unsupported(found):
-        return in_order(deck, found)
-    try:
-        model = model_of(deck)
-    except DeckError as error:
-        return in_order(deck, [*found, *map(Finding, error.errors)])
-    for name, channel in channels.items():
-        try:
-            terms(model, channel)
-        except NotReportedError as error:
-            found.append(Finding(DeckError(f"[channels] {name}: {error}")))
-    return in_order(deck, found)
+    return reviewed(deck, channels, supported(), model_of, terms)
 
 
 def model_of(deck: Deck) -> Model:
@@ -60,13 +49,7 @@ def model_of(deck: Deck) -> Model:
 
 def task(model: Model, channels: Mapping[str, Channel]) -> tuple[dict[str, Any], dict[str, str]]:
     """What the child process needs beside the model; and the channels that are not reported, with why."""
-    found: dict[str, Sum] = {}
-    missing: dict[str, str] = {}
-    for name, channel in channels.items():
-        try:
-            found[name] = terms(model, channel)
-        except NotReportedError as error:
-            missing[name] = str(error)
+    found, missing = planned(model, channels, terms)
     what = {
         "end": model.deck.one(CONTROL_TERMINATION).endtim,
         "loads": [

@@ -6,6 +6,7 @@ import numpy as np
 
 from vmharness.backends.opensees.model import Model
 from vmharness.backends.opensees.motions import KEYWORDS, moved
+from vmharness.backends.translation import NotReportedError
 from vmharness.case.format import Channel
 from vmharness.deck.keywords.element.beam import ELEMENT_BEAM
 from vmharness.deck.keywords.element.discrete import ELEMENT_DISCRETE
@@ -23,10 +24,6 @@ MOTION = {
     "velocity": "nodeVel",
     "acceleration": "nodeAccel",
 }
-
-
-class NotReportedError(ValueError):
-    """OpenSees, as it is driven here, does not give a quantity."""
 
 
 def terms(model: Model, channel: Channel) -> Sum:

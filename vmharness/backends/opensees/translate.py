@@ -6,12 +6,13 @@ from typing import Any
 import numpy as np
 
 from vmharness.backends.opensees import beams, loads, masses, motions, shells, solids, springs, velocities
-from vmharness.backends.opensees.channels import NotReportedError, Sum, terms
+from vmharness.backends.opensees.channels import terms
 from vmharness.backends.opensees.model import Command, Model, empty
 from vmharness.backends.opensees.supported import supported
+from vmharness.backends.translation import planned, reviewed
 from vmharness.case.format import Channel
-from vmharness.deck import Deck, DeckError, Entry, Finding, support
-from vmharness.deck.finding import in_order, refuse_unsupported, unsupported
+from vmharness.deck import Deck, Entry, Finding, support
+from vmharness.deck.finding import refuse_unsupported
 from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
 from vmharness.mesh.nodes import nodes_of
@@ -33,19 +34,7 @@ PASSES = (
 
 def review(deck: Deck, channels: Mapping[str, Channel]) -> list[Finding]:
     """What of the deck is not represented, which channels are not reported, and what has no effect."""
-    found = support.review(deck, supported())
-    if unsupported(found):
-        return in_order(deck, found)
-    try:
-        model = model_of(deck)
-    except DeckError as error:
-        return in_order(deck, [*found, *map(Finding, error.errors)])
-    for name, channel in channels.items():
-        try:
-            terms(model, channel)
-        except NotReportedError as error:
-            found.append(Finding(DeckError(f"[channels] {name}: {error}")))
-    return in_order(deck, found)
+    return reviewed(deck, channels, supported(), model_of, terms)
 
 
 def model_of(deck: Deck) -> Model:
@@ -63,13 +52,7 @@ def task(model: Model, channels: Mapping[str, Channel]) -> tuple[dict[str, Any],
     The latter is by name of the channel, with the reason.
     """
     timestep = model.deck.first(CONTROL_TIMESTEP) or Entry.of_defaults(CONTROL_TIMESTEP)
-    found: dict[str, Sum] = {}
-    missing: dict[str, str] = {}
-    for name, channel in channels.items():
-        try:
-            found[name] = terms(model, channel)
-        except NotReportedError as error:
-            missing[name] = str(error)
+    found, missing = planned(model, channels, terms)
     what = {
         "commands": commands(model),
         "end": model.deck.one(CONTROL_TERMINATION).endtim,
