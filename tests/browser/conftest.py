@@ -24,6 +24,9 @@ NAMES = ["chromium", "chromium-browser", "google-chrome"]
 MISSING = "no Chromium on this machine, so no page is looked at: install it (apt-get install chromium)"
 
 
+PATIENCE = 600_000.0  # ms until a browser counts as hanging; no measure of speed
+
+
 @pytest.fixture(scope="session")
 def manual(tmp_path_factory):
     """The folder of a manual with its pages (HTML)."""
@@ -69,6 +72,7 @@ def browser():
 def tab(browser):
     """An empty tab, in which the scripts of a test may run."""
     context = browser.new_context(bypass_csp=True)
+    context.set_default_timeout(PATIENCE)
     yield context.new_page()
     context.close()
 
