@@ -151,6 +151,13 @@ def test_the_doctor_shows_every_solver_and_why_one_is_not_there(vm, installed, o
 
 
 @pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="reads /proc")
+def test_what_stands_in_brackets_is_printed(vm, monkeypatch):
+    """Tables take [opensees] as a text, not as a style."""
+    monkeypatch.setattr("importlib.util.find_spec", lambda name, package=None: None)
+    _, out, _ = vm("doctor")
+    assert "vmharness[opensees]" in "".join(out.split())
+
+
 def test_a_program_dies_with_its_time_limit_and_all_that_it_has_started(ball, vm, other, tmp_path):
     other(waits=True)
     ball()

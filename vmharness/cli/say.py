@@ -75,7 +75,7 @@ def say_table(table: "Table") -> None:
     from rich.console import Console
 
     stream = _stream()
-    console = Console(file=stream, width=width())
+    console = Console(file=stream, width=width(), markup=False, emoji=False)  # [x] and :x: are texts of cases
     with console.capture() as captured:
         console.print(table)
     lines = [line.rstrip() for line in captured.get().splitlines()]
