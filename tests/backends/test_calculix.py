@@ -9,6 +9,7 @@ import pytest
 
 from vmharness import deck
 from vmharness.backends import backend, calculix
+from vmharness.backends._translation.review import planned
 from vmharness.backends.calculix import masses
 from vmharness.backends.calculix.channels import plan
 from vmharness.backends.calculix.clock import amplitude, clock
@@ -17,7 +18,6 @@ from vmharness.backends.calculix.dat import read as read_dat
 from vmharness.backends.calculix.model import real
 from vmharness.backends.calculix.plan import NotReportedError
 from vmharness.backends.calculix.translate import model_of, steps, written
-from vmharness.backends.translation import planned
 from vmharness.case import read
 from vmharness.case.deck import read_deck
 from vmharness.case.format import Channel

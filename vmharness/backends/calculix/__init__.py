@@ -42,7 +42,7 @@ def found() -> Found:
 
 def supported() -> "Supported":
     """What it represents of each keyword."""
-    from vmharness.backends.calculix.supported import supported
+    from vmharness.backends.calculix.translate import supported
 
     return supported()
 

@@ -4,10 +4,10 @@ from collections.abc import Callable
 
 import numpy as np
 
+from vmharness.backends._translation.review import NotReportedError
 from vmharness.backends.calculix.elements import of_beam, of_discrete, of_shell, of_solid
 from vmharness.backends.calculix.model import Model
 from vmharness.backends.calculix.plan import Plan, joined, of_elements, of_nodes, split
-from vmharness.backends.translation import NotReportedError
 from vmharness.case.format import Channel
 from vmharness.deck.keywords.mat.damper_viscous import MAT_DAMPER_VISCOUS
 

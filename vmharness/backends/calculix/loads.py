@@ -2,61 +2,31 @@
 
 import numpy as np
 
+from vmharness.backends._translation.loads import ALONG, FORCES, PRESSURES, loaded, unit_pressure
 from vmharness.backends.calculix.clock import Clock, amplitude
 from vmharness.backends.calculix.model import Lines, Model, real
-from vmharness.deck import Deck, Entry
+from vmharness.deck import Deck
 from vmharness.deck.keywords.define.curve import DEFINE_CURVE, points
-from vmharness.deck.keywords.load.body import LOAD_BODY_X, LOAD_BODY_Y, LOAD_BODY_Z
 from vmharness.deck.keywords.load.node import LOAD_NODE_POINT, LOAD_NODE_SET
-from vmharness.deck.keywords.load.segment import CORNERS, LOAD_SEGMENT, LOAD_SEGMENT_SET
-from vmharness.deck.keywords.set.segment import SET_SEGMENT
-from vmharness.deck.rule import among, no_effect, only
-from vmharness.deck.support import supports
+from vmharness.deck.keywords.load.segment import LOAD_SEGMENT, LOAD_SEGMENT_SET
 from vmharness.mesh.dof import place
-from vmharness.mesh.faces import area_vectors
-from vmharness.mesh.sets import node_set
 
-LOAD = {"dof": among(1, 2, 3), "cid": only(0), **{f"m{i}": only(0) for i in (1, 2, 3)}}
-ALONG = (LOAD_BODY_X, LOAD_BODY_Y, LOAD_BODY_Z)
-SUPPORTS = (
-    *(supports(keyword, **LOAD) for keyword in (LOAD_NODE_POINT, LOAD_NODE_SET)),
-    supports(LOAD_SEGMENT, at=only(0.0), n5=only(0)),
-    supports(LOAD_SEGMENT_SET, at=only(0.0)),
-    *(supports(keyword, cid=only(0), lciddr=no_effect("of dynamic relaxation")) for keyword in ALONG),
-)
+SUPPORTS = FORCES + PRESSURES
 
 
 def add(deck: Deck, model: Model) -> None:
     """Note the forces on nodes; the acceleration SF LC(t) of the base acts as -m SF LC(t)."""
     for entry in deck.all(LOAD_NODE_POINT, LOAD_NODE_SET):
-        if entry.keyword is LOAD_NODE_POINT:
-            rows = [model.nodes.row(entry, "nid", entry.nid)]
-        else:
-            rows = node_set(deck, model.nodes, entry, "nsid").tolist()
-        for row in rows:
+        for row in loaded(deck, model.nodes, entry):
             model.load(row, place(entry), entry.lcid, entry.sf)
     for entry in deck.all(LOAD_SEGMENT, LOAD_SEGMENT_SET):
-        force = _pressure(deck, model, entry)
+        force = unit_pressure(deck, model.nodes, entry)
         for row, axis in np.argwhere(force).tolist():
             model.load(row, axis, entry.lcid, entry.sf * float(force[row, axis]))
     for axis, keyword in enumerate(ALONG):
         for entry in deck.all(keyword):
             for row in np.flatnonzero(model.mass).tolist():
                 model.load(row, axis, entry.lcid, -entry.sf * float(model.mass[row]))
-
-
-def _pressure(deck: Deck, model: Model, entry: Entry) -> np.ndarray:
-    """Forces (n, 3) of the pressure 1 on the corners of the segments, along their normals at the beginning."""
-    found = entry
-    if entry.keyword is LOAD_SEGMENT_SET:
-        found = deck.find(SET_SEGMENT, sid=entry.ssid, referred_by=(entry, "ssid"))
-    columns = [model.nodes.find(found, name, np.atleast_1d(getattr(found, name))) for name in CORNERS]
-    faces = np.column_stack(columns)
-    force = np.zeros((model.nodes.ids.size, 3))
-    for corners, area in zip(faces, area_vectors(model.nodes.x0[faces]), strict=True):
-        distinct = np.unique(corners)
-        force[distinct] -= area / distinct.size
-    return force
 
 
 def amplitudes(model: Model, clock: Clock) -> Lines:

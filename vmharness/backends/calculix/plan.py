@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vmharness.backends._translation.review import NotReportedError
 from vmharness.backends.calculix.dat import Array, Key
 from vmharness.backends.calculix.model import Member, Model
-from vmharness.backends.translation import NotReportedError
 from vmharness.case.format import Channel
 
 Printed = Mapping[Key, Array]

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from vmharness.backends._translation.review import planned
 from vmharness.backends.calculix import PROGRAM
 from vmharness.backends.calculix.channels import plan
 from vmharness.backends.calculix.clock import Clock, clock
@@ -14,7 +15,6 @@ from vmharness.backends.calculix.model import Model
 from vmharness.backends.calculix.plan import Plan
 from vmharness.backends.calculix.translate import model_of, steps, written
 from vmharness.backends.protocol import Job, Output
-from vmharness.backends.translation import planned
 from vmharness.deck import DeckError
 from vmharness.execution import program
 from vmharness.execution.program import ProgramError

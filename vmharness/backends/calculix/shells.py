@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from vmharness.backends._translation.shells import shells
 from vmharness.backends.calculix.materials import of
 from vmharness.backends.calculix.model import Model, real
 from vmharness.deck import Deck
@@ -9,21 +10,12 @@ from vmharness.deck.keywords.element.shell import ELEMENT_SHELL
 from vmharness.deck.keywords.mat.elastic import MAT_ELASTIC
 from vmharness.deck.keywords.part import PART
 from vmharness.deck.keywords.section.shell import SECTION_SHELL
-from vmharness.deck.rule import no_effect, only
-from vmharness.deck.support import supports
 from vmharness.mesh.faces import area_vectors
 
-SUPPORTS = (
-    supports(ELEMENT_SHELL, **{f"n{i}": only(0) for i in range(5, 9)}),
-    supports(
-        SECTION_SHELL,
-        elform=no_effect("calculix: every shell is an S4"),
-        shrf=no_effect("calculix: a shell is a solid of its thickness"),
-        nip=no_effect("calculix: a shell has two points through the thickness"),
-        icomp=only(0),
-        nloc=only(0.0),
-        marea=only(0.0),
-    ),
+SUPPORTS = shells(
+    elform="calculix: every shell is an S4",
+    shrf="calculix: a shell is a solid of its thickness",
+    nip="calculix: a shell has two points through the thickness",
 )
 
 

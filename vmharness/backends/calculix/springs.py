@@ -5,6 +5,7 @@ An initial elongation OFFSET moves the force curve of a SPRINGA by it.
 
 import numpy as np
 
+from vmharness.backends._translation import springs
 from vmharness.backends.calculix.model import Lines, Model, real, table
 from vmharness.deck import Deck, Entry
 from vmharness.deck.keywords.define.curve import DEFINE_CURVE, points
@@ -13,19 +14,10 @@ from vmharness.deck.keywords.mat.damper_viscous import MAT_DAMPER_VISCOUS
 from vmharness.deck.keywords.mat.spring_elastic import MAT_SPRING_ELASTIC
 from vmharness.deck.keywords.mat.spring_nonlinear_elastic import MAT_SPRING_NONLINEAR_ELASTIC
 from vmharness.deck.keywords.part import PART
-from vmharness.deck.keywords.section.discrete import SECTION_DISCRETE
-from vmharness.deck.rule import above, no_effect, only
+from vmharness.deck.rule import only
 from vmharness.deck.support import supports
 
-SUPPORTS = (
-    supports(ELEMENT_DISCRETE, n2=above(0), vid=only(0), pf=no_effect("affects output only")),
-    supports(
-        SECTION_DISCRETE, dro=only(0), kd=only(0.0), cl=only(0.0), fd=only(0.0), cdl=only(0.0), tdl=only(0.0)
-    ),
-    supports(MAT_SPRING_ELASTIC),
-    supports(MAT_DAMPER_VISCOUS),
-    supports(MAT_SPRING_NONLINEAR_ELASTIC, lcr=only(0)),
-)
+SUPPORTS = (*springs.SUPPORTS, supports(MAT_SPRING_NONLINEAR_ELASTIC, lcr=only(0)))
 FAR = 100.0  # a straight force curve ends at so many lengths of the spring
 
 

@@ -1,23 +1,33 @@
 """A deck as input of CalculiX, and what cannot be translated."""
 
 from collections.abc import Iterable, Mapping
+from functools import cache
 from math import ceil
 
 import numpy as np
 
-from vmharness.backends.calculix import beams, loads, masses, motions, shells, solids, springs, velocities
+from vmharness.backends._translation.review import built, declared, reviewed
+from vmharness.backends.calculix import (
+    beams,
+    loads,
+    masses,
+    materials,
+    motions,
+    shells,
+    solids,
+    springs,
+    velocities,
+)
 from vmharness.backends.calculix.channels import plan
 from vmharness.backends.calculix.clock import Clock, amplitude
 from vmharness.backends.calculix.model import Lines, Model, empty, real
 from vmharness.backends.calculix.plan import Plan
-from vmharness.backends.calculix.supported import supported
-from vmharness.backends.translation import reviewed
 from vmharness.case.format import Channel
-from vmharness.deck import Deck, Entry, Finding, support
-from vmharness.deck.finding import refuse_unsupported
+from vmharness.deck import Deck, Entry, Finding
 from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
-from vmharness.mesh.nodes import nodes_of
+from vmharness.deck.rule import only
+from vmharness.deck.support import Supported, supports
 
 MOST, FREE = 4000, 1000  # steps: at most; of bodies that nothing holds
 WORK = 150_000  # steps times elements that are solids to CalculiX, at most: some minutes
@@ -28,6 +38,12 @@ COURANT = (
 PASSES = (springs, beams, shells, solids, masses, motions, loads, velocities)
 
 
+@cache
+def supported() -> Supported:
+    """What it represents of each keyword: SUPPORTS of the modules that translate."""
+    return declared((*PASSES, materials), supports(CONTROL_TIMESTEP, dt2ms=only(0.0), lctm=only(0)))
+
+
 def review(deck: Deck, channels: Mapping[str, Channel]) -> list[Finding]:
     """What of the deck is not represented, which channels are not reported, and what has no effect."""
     return reviewed(deck, channels, supported(), model_of, plan)
@@ -35,11 +51,7 @@ def review(deck: Deck, channels: Mapping[str, Channel]) -> list[Finding]:
 
 def model_of(deck: Deck) -> Model:
     """The model of a deck; raises DeckError for what cannot be represented."""
-    refuse_unsupported(support.review(deck, supported()))
-    model = empty(deck, nodes_of(deck))
-    for module in PASSES:
-        module.add(deck, model)
-    return model
+    return built(deck, supported(), empty, PASSES)
 
 
 def steps(model: Model) -> int:

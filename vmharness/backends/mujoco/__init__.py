@@ -32,7 +32,7 @@ def found() -> Found:
 
 def supported() -> "Supported":
     """What it represents of each keyword."""
-    from vmharness.backends.mujoco.supported import supported
+    from vmharness.backends.mujoco.translate import supported
 
     return supported()
 

@@ -1,8 +1,8 @@
 """Channels as sums of what MuJoCo gives: a constant, and terms (function, name of an object, index, factor)."""
 
+from vmharness.backends._translation.review import NotReportedError
 from vmharness.backends.mujoco.element import node_name, rigid_name, tendon_name, touch_name
 from vmharness.backends.mujoco.model import Model
-from vmharness.backends.translation import NotReportedError
 from vmharness.case.format import Channel
 
 Term = tuple[str, str, int, float]

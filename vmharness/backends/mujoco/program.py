@@ -1,20 +1,13 @@
 """The child process that runs MuJoCo, seen from outside: its task, and the history that it leaves."""
 
 import json
-import sys
-import time
 
-import numpy as np
-
+from vmharness.backends._translation import child
 from vmharness.backends.mujoco.mjcf import document
 from vmharness.backends.mujoco.step import step
 from vmharness.backends.mujoco.translate import model_of, task
 from vmharness.backends.protocol import Job, Output
 from vmharness.deck import DeckError
-from vmharness.execution import program
-from vmharness.history import History
-
-ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 
 
 def run(job: Job) -> Output:
@@ -27,17 +20,4 @@ def run(job: Job) -> Output:
     what, missing = task(model, job.channels)
     (job.folder / "model.xml").write_text(text, encoding="utf-8")
     (job.folder / "task.json").write_text(json.dumps(what), encoding="utf-8")
-    began = time.perf_counter()
-    program.run([sys.executable, "-m", "vmharness.backends.mujoco.child"], job.folder, ONE_THREAD)
-    seconds = time.perf_counter() - began
-    facts = json.loads((job.folder / "facts.json").read_text(encoding="utf-8"))
-    table = np.load(job.folder / "history.npy")
-    columns = {name: table[:, 1 + i] for i, name in enumerate(what["channels"])}
-    return Output(
-        History(table[:, 0], columns),
-        facts.pop("failure"),
-        facts=facts,
-        cycles=table.shape[0] - 1,
-        seconds=seconds,
-        unreported=missing,
-    )
+    return child.run("vmharness.backends.mujoco.child", job.folder, what["channels"], missing)

@@ -1,8 +1,10 @@
 """A deck as a model of MuJoCo, and what cannot be translated."""
 
 from collections.abc import Mapping
+from functools import cache
 from typing import Any
 
+from vmharness.backends._translation.review import built, declared, planned, reviewed
 from vmharness.backends.mujoco import (
     contacts,
     damping,
@@ -19,17 +21,22 @@ from vmharness.backends.mujoco.channels import terms
 from vmharness.backends.mujoco.element import node_name
 from vmharness.backends.mujoco.forces import GRIP, IMPEDANCE
 from vmharness.backends.mujoco.model import Model, empty
-from vmharness.backends.mujoco.supported import supported
-from vmharness.backends.translation import planned, reviewed
 from vmharness.case.format import Channel
-from vmharness.deck import Deck, Finding, support
-from vmharness.deck.finding import refuse_unsupported
+from vmharness.deck import Deck, Finding
 from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
-from vmharness.mesh.nodes import nodes_of
+from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
+from vmharness.deck.rule import only
+from vmharness.deck.support import Supported, supports
 
 # Bodies take masses and velocities of nodes; joints, loads and contacts act on bodies.
 PASSES = (springs, trusses, shells, masses, velocities, rigid, damping, joints, loads, contacts)
 SHOWN = 12  # facts of contacts
+
+
+@cache
+def supported() -> Supported:
+    """What it represents of each keyword: SUPPORTS of the modules that translate."""
+    return declared(PASSES, supports(CONTROL_TIMESTEP, dt2ms=only(0.0)))
 
 
 def review(deck: Deck, channels: Mapping[str, Channel]) -> list[Finding]:
@@ -39,10 +46,7 @@ def review(deck: Deck, channels: Mapping[str, Channel]) -> list[Finding]:
 
 def model_of(deck: Deck) -> Model:
     """The model of a deck; raises DeckError for what cannot be represented."""
-    refuse_unsupported(support.review(deck, supported()))
-    model = empty(deck, nodes_of(deck))
-    for module in PASSES:
-        module.add(deck, model)
+    model = built(deck, supported(), empty, PASSES)
     masses.check(deck, model)
     return model
 

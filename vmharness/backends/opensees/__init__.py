@@ -31,7 +31,7 @@ def found() -> Found:
 
 def supported() -> "Supported":
     """What it represents of each keyword."""
-    from vmharness.backends.opensees.supported import supported
+    from vmharness.backends.opensees.translate import supported
 
     return supported()
 

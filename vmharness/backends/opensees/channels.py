@@ -4,9 +4,9 @@ from typing import Any
 
 import numpy as np
 
+from vmharness.backends._translation.motions import motions, moved
+from vmharness.backends._translation.review import NotReportedError
 from vmharness.backends.opensees.model import Model
-from vmharness.backends.opensees.motions import KEYWORDS, moved
-from vmharness.backends.translation import NotReportedError
 from vmharness.case.format import Channel
 from vmharness.deck.keywords.element.beam import ELEMENT_BEAM
 from vmharness.deck.keywords.element.discrete import ELEMENT_DISCRETE
@@ -84,10 +84,10 @@ def _of_energy(model: Model, channel: Channel) -> Sum:
 
 def _of_motion(model: Model, channel: Channel) -> Sum:
     axis, _, quantity = str(channel.component).partition("-")
-    cards = [entry for entry in model.deck.entries if entry.keyword in KEYWORDS]
+    cards = motions(model.deck)
     if quantity != "force" or axis not in AXES or not 1 <= (channel.motion or 0) <= len(cards):
         raise NotReportedError(f"opensees does not report {channel.component!r} of motion {channel.motion}")
-    rows = moved(model, cards[(channel.motion or 0) - 1])
+    rows = moved(model.deck, model.nodes, cards[(channel.motion or 0) - 1])
     return 0.0, [("nodeReaction", [model.id(row), AXES[axis]], 1.0) for row in rows]
 
 

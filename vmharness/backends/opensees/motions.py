@@ -1,61 +1,22 @@
 """Prescribed motions as displacements over time: single-point constraints that follow a path."""
 
-import numpy as np
-
+from vmharness.backends._translation.motions import SUPPORTS, displacement, motions, moved
 from vmharness.backends.opensees.model import Model
-from vmharness.deck import Deck, Entry
-from vmharness.deck.keywords.boundary.prescribed_motion import (
-    BOUNDARY_PRESCRIBED_MOTION_NODE,
-    BOUNDARY_PRESCRIBED_MOTION_SET,
-)
+from vmharness.deck import Deck
 from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
-from vmharness.deck.keywords.define.curve import DEFINE_CURVE, points
-from vmharness.deck.rule import among, at_least, only
-from vmharness.deck.support import supports
 from vmharness.mesh.dof import place
-from vmharness.mesh.sets import node_set
 
-KEYWORDS = (BOUNDARY_PRESCRIBED_MOTION_NODE, BOUNDARY_PRESCRIBED_MOTION_SET)
-VELOCITY, DISPLACEMENT = 0, 2  # VAD
-SAMPLES = 20_000  # of a displacement that is the integral of a velocity
-
-SUPPORTS = tuple(
-    supports(
-        keyword,
-        dof=among(1, 2, 3),
-        vad=among(VELOCITY, DISPLACEMENT),
-        vid=only(0),
-        birth=only(0.0),
-        death=at_least(1e20),
-    )
-    for keyword in KEYWORDS
-)
+__all__ = ["SUPPORTS", "add"]
 
 
 def add(deck: Deck, model: Model) -> None:
     """Add a pattern with a constraint of unit size for each node that moves."""
     end = deck.one(CONTROL_TERMINATION).endtim
-    for entry in [entry for entry in deck.entries if entry.keyword in KEYWORDS]:
+    for entry in motions(deck):
         series, pattern = model.next(), model.next()
         t, u = displacement(deck, entry, 1.01 * end)
         model.loads.append(["timeSeries", "Path", series, "-time", *t.tolist(), "-values", *u.tolist()])
         model.loads.append(["pattern", "Plain", pattern, series])
-        model.loads += [["sp", model.id(row), place(entry) + 1, 1.0] for row in moved(model, entry)]
-
-
-def moved(model: Model, entry: Entry) -> list[int]:
-    """The rows of the nodes that a card moves."""
-    if entry.keyword is BOUNDARY_PRESCRIBED_MOTION_NODE:
-        return [model.nodes.row(entry, "nid", entry.nid)]
-    return [int(row) for row in node_set(model.deck, model.nodes, entry, "nsid")]
-
-
-def displacement(deck: Deck, entry: Entry, end: float) -> tuple[np.ndarray, np.ndarray]:
-    """Times and displacements: the curve itself, or the integral of a velocity that is linear between its points."""
-    t, value = points(deck.find(DEFINE_CURVE, lcid=entry.lcid, referred_by=(entry, "lcid")))
-    if entry.vad == DISPLACEMENT:
-        return t, entry.sf * value
-    fine = np.union1d(np.linspace(0.0, end, SAMPLES), t[(t > 0.0) & (t < end)])
-    v = np.interp(fine, t, entry.sf * value)
-    u = np.concatenate([[0.0], np.cumsum(0.5 * (v[1:] + v[:-1]) * np.diff(fine))])
-    return fine, u
+        model.loads += [
+            ["sp", model.id(row), place(entry) + 1, 1.0] for row in moved(deck, model.nodes, entry)
+        ]

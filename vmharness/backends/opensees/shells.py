@@ -2,27 +2,19 @@
 
 import numpy as np
 
+from vmharness.backends._translation.shells import shells
 from vmharness.backends.opensees.model import Model
 from vmharness.deck import Deck
 from vmharness.deck.keywords.element.shell import ELEMENT_SHELL
 from vmharness.deck.keywords.mat.elastic import MAT_ELASTIC
 from vmharness.deck.keywords.part import PART
 from vmharness.deck.keywords.section.shell import SECTION_SHELL
-from vmharness.deck.rule import no_effect, only
-from vmharness.deck.support import supports
 from vmharness.mesh.faces import area_vectors
 
-SUPPORTS = (
-    supports(ELEMENT_SHELL, **{f"n{i}": only(0) for i in range(5, 9)}),
-    supports(
-        SECTION_SHELL,
-        elform=no_effect("opensees: every shell is an ASDShellQ4"),
-        shrf=no_effect("opensees: the shear factor is 5/6"),
-        nip=no_effect("opensees: elastic shells need no points through the thickness"),
-        icomp=only(0),
-        nloc=only(0.0),
-        marea=only(0.0),
-    ),
+SUPPORTS = shells(
+    elform="opensees: every shell is an ASDShellQ4",
+    shrf="opensees: the shear factor is 5/6",
+    nip="opensees: elastic shells need no points through the thickness",
 )
 
 

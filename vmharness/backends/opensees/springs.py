@@ -8,6 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from vmharness.backends._translation import springs
 from vmharness.backends.opensees.model import Command, Model
 from vmharness.deck import Deck, Entry, Keyword
 from vmharness.deck.keywords.define.curve import DEFINE_CURVE, points
@@ -17,19 +18,13 @@ from vmharness.deck.keywords.mat.spring_elastic import MAT_SPRING_ELASTIC
 from vmharness.deck.keywords.mat.spring_elastoplastic import MAT_SPRING_ELASTOPLASTIC
 from vmharness.deck.keywords.mat.spring_nonlinear_elastic import MAT_SPRING_NONLINEAR_ELASTIC
 from vmharness.deck.keywords.part import PART
-from vmharness.deck.keywords.section.discrete import SECTION_DISCRETE
-from vmharness.deck.rule import above, no_effect, only
+from vmharness.deck.rule import only
 from vmharness.deck.support import supports
 
 Law = tuple[Command, float]  # a uniaxial material, and the largest stiffness of the spring
 
 SUPPORTS = (
-    supports(ELEMENT_DISCRETE, n2=above(0), vid=only(0), pf=no_effect("affects output only")),
-    supports(
-        SECTION_DISCRETE, dro=only(0), kd=only(0.0), cl=only(0.0), fd=only(0.0), cdl=only(0.0), tdl=only(0.0)
-    ),
-    supports(MAT_SPRING_ELASTIC),
-    supports(MAT_DAMPER_VISCOUS),
+    *springs.SUPPORTS,
     supports(MAT_SPRING_ELASTOPLASTIC),
     supports(MAT_SPRING_NONLINEAR_ELASTIC, lcr=only(0)),
 )

@@ -1,21 +1,21 @@
 """A deck as commands of OpenSees, and what cannot be translated."""
 
 from collections.abc import Mapping
+from functools import cache
 from typing import Any
 
 import numpy as np
 
+from vmharness.backends._translation.review import built, declared, planned, reviewed
 from vmharness.backends.opensees import beams, loads, masses, motions, shells, solids, springs, velocities
 from vmharness.backends.opensees.channels import terms
 from vmharness.backends.opensees.model import Command, Model, empty
-from vmharness.backends.opensees.supported import supported
-from vmharness.backends.translation import planned, reviewed
 from vmharness.case.format import Channel
-from vmharness.deck import Deck, Entry, Finding, support
-from vmharness.deck.finding import refuse_unsupported
+from vmharness.deck import Deck, Entry, Finding
 from vmharness.deck.keywords.control.termination import CONTROL_TERMINATION
 from vmharness.deck.keywords.control.timestep import CONTROL_TIMESTEP
-from vmharness.mesh.nodes import nodes_of
+from vmharness.deck.rule import only
+from vmharness.deck.support import Supported, supports
 from vmharness.mesh.supports import supported as supports_of
 
 IMPLICIT, FREE = 4000, 1000  # steps: at most if they are implicit; of bodies that nothing holds
@@ -32,6 +32,12 @@ PASSES = (
 )  # loads act on the nodes that those before them use
 
 
+@cache
+def supported() -> Supported:
+    """What it represents of each keyword: SUPPORTS of the modules that translate."""
+    return declared(PASSES, supports(CONTROL_TIMESTEP, dt2ms=only(0.0), lctm=only(0)))
+
+
 def review(deck: Deck, channels: Mapping[str, Channel]) -> list[Finding]:
     """What of the deck is not represented, which channels are not reported, and what has no effect."""
     return reviewed(deck, channels, supported(), model_of, terms)
@@ -39,11 +45,7 @@ def review(deck: Deck, channels: Mapping[str, Channel]) -> list[Finding]:
 
 def model_of(deck: Deck) -> Model:
     """The model of a deck; raises DeckError for what cannot be represented."""
-    refuse_unsupported(support.review(deck, supported()))
-    model = empty(deck, nodes_of(deck))
-    for module in PASSES:
-        module.add(deck, model)
-    return model
+    return built(deck, supported(), empty, PASSES)
 
 
 def task(model: Model, channels: Mapping[str, Channel]) -> tuple[dict[str, Any], dict[str, str]]:

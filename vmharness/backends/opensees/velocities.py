@@ -1,25 +1,13 @@
 """Initial velocities of nodes."""
 
-import numpy as np
-
+from vmharness.backends._translation.velocities import SUPPORTS, initial_velocities
 from vmharness.backends.opensees.model import Model
 from vmharness.deck import Deck
-from vmharness.deck.keywords.initial.velocity import INITIAL_VELOCITY, INITIAL_VELOCITY_NODE
-from vmharness.deck.rule import only
-from vmharness.deck.support import supports
-from vmharness.mesh.sets import node_set
 
-ROTATIONS = {f"v{axis}r": only(0.0) for axis in "xyz"}
-SUPPORTS = (
-    supports(INITIAL_VELOCITY, nsidex=only(0), boxid=only(0), irigid=only(0), icid=only(0), **ROTATIONS),
-    supports(INITIAL_VELOCITY_NODE, icid=only(0), **ROTATIONS),
-)
+__all__ = ["SUPPORTS", "add"]
 
 
 def add(deck: Deck, model: Model) -> None:
-    """Note the velocity of every node; cards for single nodes overrule those for sets."""
-    for entry in deck.all(INITIAL_VELOCITY):
-        rows = node_set(deck, model.nodes, entry, "nsid") if entry.nsid else slice(None)
-        model.velocities[rows] = np.array([entry.vx, entry.vy, entry.vz])
-    for entry in deck.all(INITIAL_VELOCITY_NODE):
-        model.velocities[model.nodes.row(entry, "nid", entry.nid)] = [entry.vx, entry.vy, entry.vz]
+    """Note the velocity of every node."""
+    for _, rows, velocity in initial_velocities(deck, model.nodes):
+        model.velocities[rows] = velocity

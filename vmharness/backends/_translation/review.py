@@ -6,7 +6,7 @@ from typing import TypeVar
 
 from vmharness.case.format import Channel
 from vmharness.deck import Deck, DeckError, Finding, support
-from vmharness.deck.finding import in_order, unsupported
+from vmharness.deck.finding import in_order, refuse_unsupported, unsupported
 from vmharness.deck.keywords import database
 from vmharness.deck.keywords.boundary.spc import BOUNDARY_SPC_NODE, BOUNDARY_SPC_SET
 from vmharness.deck.keywords.comment import COMMENT
@@ -20,6 +20,7 @@ from vmharness.deck.keywords.set.node import SET_NODE_GENERAL, SET_NODE_LIST, SE
 from vmharness.deck.keywords.title import TITLE
 from vmharness.deck.rule import only
 from vmharness.deck.support import Support, Supported, supports, without_effect
+from vmharness.mesh.nodes import Nodes, nodes_of
 
 OUTPUT = (*database.KEYWORDS, COMMENT, CONTROL_ENERGY, CONTROL_OUTPUT, TITLE)
 TRANSLATED = (NODE, PART, DEFINE_CURVE, SET_NODE_GENERAL, SET_NODE_LIST, SET_NODE_LIST_GENERATE)
@@ -41,6 +42,17 @@ def declared(modules: Iterable[ModuleType], *others: Support) -> Supported:
         supports(CONTROL_TERMINATION, endcyc=only(0), endeng=only(0.0)),
     ]
     return support.by_name([*common, *others, *(each for module in modules for each in module.SUPPORTS)])
+
+
+def built(
+    deck: Deck, supported: Supported, empty: Callable[[Deck, Nodes], Model], passes: Iterable[ModuleType]
+) -> Model:
+    """The model to which each pass has added what it translates; raises DeckError for what cannot be represented."""
+    refuse_unsupported(support.review(deck, supported))
+    model = empty(deck, nodes_of(deck))
+    for module in passes:
+        module.add(deck, model)
+    return model
 
 
 def reviewed(
